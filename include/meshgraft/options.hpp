@@ -1,0 +1,41 @@
+// What the user asks of a merge.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace meshgraft {
+
+enum class Mode { kAuto, kFaceEdge };
+enum class Method { kAdaptive };
+
+/// A length given as such or as a share of the local edge length.
+struct Tolerance {
+  double value = 0.01;
+  bool relative = true;
+  /// The length meant where the mean edge length is `local_edge_length`.
+  [[nodiscard]] double at(double local_edge_length) const { return relative ? value * local_edge_length : value; }
+};
+
+struct MergeOptions {
+  Mode mode = Mode::kAuto;
+  Method method = Method::kAdaptive;
+
+  /// Faces meeting at less than this are in contact (paper 2.4). Radians, in (0, pi/2).
+  double contact_angle = 20.0 / 180.0 * std::numbers::pi;
+  /// Gap or penetration that is closed where a free edge ends on another mesh.
+  Tolerance tolerance;
+  /// Edge length along the junction, in file units; by default l_a of paper 5.3.
+  std::optional<double> size;
+  /// Neighbourhoods remeshed on both sides; by default the rule of paper 5.4.
+  std::optional<int> bandwidth;
+  /// Least aspect ratio Q (paper 5.5) accepted for a new face.
+  double min_quality = 0.5;
+
+  /// Called at the start of each stage with its name and the share of the work done, 0 to 1.
+  std::function<void(std::string_view stage, double done)> progress;
+};
+
+}  // namespace meshgraft

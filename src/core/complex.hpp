@@ -1,0 +1,74 @@
+// The working mesh of a merge: the faces of all inputs near the junction, as one complex.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meshgraft/group_sets.hpp"
+#include "meshgraft/id.hpp"
+#include "meshgraft/vec3.hpp"
+
+namespace meshgraft {
+
+using VertexId = Id<struct VertexTag>;
+using FaceId = Id<struct FaceTag>;
+
+/// How far a vertex of a Complex may be changed.
+enum class VertexState : std::uint8_t {
+  kOpen,    // all its faces are in the complex: it may move, be removed, or get new faces
+  kPinned,  // all its faces are in the complex, but it must stay where it is (other elements use
+            // it, the user protects it)
+  kFrozen,  // some of its faces may be missing: neither it nor any face on it may change
+};
+
+/// n vertices, m faces, k lines. Edges may have any number of faces; orientation of neighbours may
+/// differ. Group sets are of merged groups (Graft::groups), so they compare across inputs.
+struct Complex {
+  std::vector<Vec3> position;             // n
+  std::vector<NodeRef> node;              // n, the input node it is; invalid: a new one
+  std::vector<VertexState> state;         // n
+  std::vector<GroupSetId> vertex_groups;  // n, node groups
+
+  std::vector<std::array<VertexId, 3>> face;  // m
+  std::vector<ElementRef> parent;             // m, the input face it descends from
+  std::vector<std::uint32_t> component;       // m, faces of one component are not intersected
+  std::vector<GroupSetId> face_groups;        // m
+  std::vector<AttributesId> face_attributes;  // m, equal ids = equal attributes, across inputs
+
+  /// A 1D element with two nodes.
+  struct Line {
+    std::array<VertexId, 2> ends;
+    ElementRef parent;
+    GroupSetId groups;
+    AttributesId attributes;
+  };
+  std::vector<Line> lines;  // k
+
+  /// Edges of the complex that belong to an element which is not remeshed (quadrilateral, parabolic
+  /// triangle): both ends are pinned and the edge may not be split or removed.
+  std::vector<std::array<VertexId, 2>> fixed_edges;
+
+  [[nodiscard]] std::size_t n_vertices() const { return position.size(); }
+  [[nodiscard]] std::size_t n_faces() const { return face.size(); }
+  [[nodiscard]] std::array<Vec3, 3> corners(FaceId f) const {
+    const auto& v = face[f.value];
+    return {position[v[0].value], position[v[1].value], position[v[2].value]};
+  }
+
+  VertexId add_vertex(Vec3 p, NodeRef of, VertexState s, GroupSetId groups) {
+    position.push_back(p), node.push_back(of), state.push_back(s), vertex_groups.push_back(groups);
+    return VertexId(position.size() - 1);
+  }
+  /// A face like `like` of `from` (which may be this complex) on other vertices.
+  FaceId add_face(std::array<VertexId, 3> v, const Complex& from, FaceId like) {
+    face.push_back(v);
+    parent.push_back(ElementRef(from.parent[like.value]));
+    component.push_back(std::uint32_t(from.component[like.value]));
+    face_groups.push_back(GroupSetId(from.face_groups[like.value]));
+    face_attributes.push_back(AttributesId(from.face_attributes[like.value]));
+    return FaceId(face.size() - 1);
+  }
+};
+
+}  // namespace meshgraft

@@ -1,0 +1,80 @@
+// Makes the components of a complex conforming along the curves in which they meet (paper 5.2).
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+struct CorefineOptions {
+  /// Gap or penetration closed where a feature (free, sharp or non-manifold edge, pinned vertex) of
+  /// one component ends on another.
+  Tolerance tolerance;
+  /// Everything else nearer than this share of the local edge length is one place: far above
+  /// rounding, so that decisions beyond it are well conditioned; far below what analysis sees.
+  double weld_share = 1e-6;
+  /// Faces flatter to each other than this and nearer than the tolerance overlap. Radians.
+  double contact_angle = 20.0 / 180.0 * 3.14159265358979323846;
+  /// Edges folded more than this are sharp. Radians.
+  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;
+};
+
+/// The complex after all components have been imprinted on each other.
+struct Corefined {
+  Complex complex;  // each face lies in its parent; shared junction vertices and edges
+
+  /// Edges along which components meet, each once, (smaller, larger) vertex, ascending.
+  std::vector<std::array<VertexId, 2>> junction_edges;
+  /// Vertices in which components meet but which are on no junction edge, ascending.
+  std::vector<VertexId> junction_points;
+  /// By face: 1 if its parent meets another component (F1, F2 of paper 5.4).
+  std::vector<std::uint8_t> touched;
+
+  struct Move {
+    NodeRef node;
+    VertexId vertex;
+    Vec3 from, to;
+  };
+  std::vector<Move> moves;  // nodes of later components pulled onto earlier ones, ascending
+
+  struct Replaced {
+    NodeRef node;
+    VertexId by;
+  };
+  std::vector<Replaced> replaced;  // nodes of later components that became one with an earlier vertex
+
+  /// Pairs (smaller, larger) of components that meet, ascending.
+  std::vector<std::array<std::uint32_t, 2>> met;
+};
+
+/// Why components could not be made conforming; `merge` turns it into an Error with labels.
+struct JunctionFault {
+  ErrorCode code = ErrorCode::kJunctionNotResolved;  // or kOverlap, kDegenerateFace, kDuplicateFace
+  std::string what;
+  std::vector<ElementRef> elements;
+  Vec3 at;
+};
+
+/// Imprints the components of `complex` on each other, component by component in ascending order.
+///
+///  (1) Symbols first: every new vertex is "edge e of one meets face f of the other", "node n lies
+///      on edge e" and so on; faces that share an edge agree on it by construction.
+///  (2) Incidences within the tolerance (features) or the weld length (everything) are decided
+///      first and declared; signs of what is left come from exact predicates.
+///  (3) Vertices of earlier components never move. Vertices of later ones move at most by the
+///      tolerance, and every move is listed.
+///  (4) The group set of a new vertex is, for each component it lies on, the intersection of the
+///      group sets of the vertices of the edge or face it lies on; united over components.
+///
+/// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
+/// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),
+/// kDegenerateFace and kDuplicateFace (near the junction), kJunctionNotResolved.
+[[nodiscard]] tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
+                                                              const CorefineOptions& options);
+
+}  // namespace meshgraft

@@ -1,0 +1,52 @@
+// Remeshing of the zone (paper 5.5, 5.6; method "adaptive"): from a valid but ugly triangulation to
+// one fit for analysis, by local steps that never leave validity.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "zone/brep.hpp"
+#include "zone/size_field.hpp"
+
+namespace meshgraft {
+
+struct RemeshOptions {
+  double min_quality = 0.5;     // wanted worst Q
+  double max_deviation = 0.04;  // of new edges and faces from the reference surface, share of their length
+};
+
+struct BadFace {
+  FaceId face;  // of Remeshed::complex
+  double q = 0;
+  std::string cause;  // "input angle of 9 degrees", ...; empty if none was found
+};
+
+struct Remeshed {
+  Complex complex;  // vertices no face or line uses any more are left out, except kPinned/kFrozen ones
+  std::vector<std::uint8_t> in_zone;      // by face: descends from a zone face
+  std::vector<std::uint8_t> on_junction;  // by vertex: it lies on a junction curve
+  std::vector<BadFace> bad;               // faces of the zone with Q < min_quality, worst first
+  double max_deviation = 0;               // of new faces from the reference surface (sampled)
+  double max_deviation_relative = 0;      // over the local edge length
+  Vec3 deviation_at;
+};
+
+/// Remeshes the faces marked in `in_zone`.
+///
+///   complex   corefined; it is the reference surface too
+///
+///  (1) Faces outside the zone, corners, frozen and pinned vertices are unchanged. A vertex with a
+///      face outside the zone does not move.
+///  (2) Conformity holds after every step: a curve's nodes are shared by all its sheets.
+///  (3) New vertices lie on the reference surface (sheet) or the reference polyline (curve). Their
+///      group set is the intersection of those of the reference face or edge beneath.
+///  (4) `parent` of a new face is a parent of its sheet, the one beneath its centroid. Orientation
+///      is that of the sheet.
+///  (5) 1D elements on resampled curve edges are rebuilt along them: each new edge has one line per
+///      line of the old edges, with the parent beneath its middle, in the parent's direction.
+///  (6) Deterministic.
+[[nodiscard]] Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
+                              const std::vector<std::uint8_t>& in_zone, const RemeshOptions& options);
+
+}  // namespace meshgraft

@@ -1,0 +1,34 @@
+// Cuts the part of all inputs that a merge can touch out of the models.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "meshgraft/graft.hpp"
+#include "meshgraft/model.hpp"
+
+namespace meshgraft {
+
+struct WorkpieceOptions {
+  double reach = 8;  // in longest edges of the candidate faces: how far around them
+};
+
+/// The faces around `candidates` (by input, see candidate_faces), with the 1D elements on them and
+/// the constraints that other elements put on their nodes.
+///
+///  (1) A vertex that is not kFrozen has all its faces and lines in the complex.
+///  (2) Every face whose box comes within reach of a candidate is there, so that nothing near the
+///      zone is overlooked.
+///  (3) component = input. Group sets are translated to merged groups.
+///
+/// Nodes used by elements other than faces and lines, and orientation nodes, are kPinned.
+/// Cost: one linear pass over nodes and elements; memory beyond it proportional to the result.
+///
+/// `groups_of_input[k][g]` is the merged group of group g of input k.
+[[nodiscard]] Complex workpiece(std::span<const Model* const> inputs,
+                                std::span<const std::vector<ElementId>> candidates,
+                                std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
+                                const WorkpieceOptions& options = {});
+
+}  // namespace meshgraft

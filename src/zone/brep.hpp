@@ -1,0 +1,68 @@
+// The neighbourhood of a junction read as a little boundary representation: corners, curves, sheets.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+
+namespace meshgraft {
+
+using CurveId = Id<struct CurveTag>;
+using SheetId = Id<struct SheetTag>;
+
+/// What a vertex may do in remeshing.
+enum class Dimension : std::uint8_t {
+  kCorner,  // stays
+  kCurve,   // slides along its curve, may be removed or added there
+  kSheet,   // moves in its sheet
+};
+
+/// A chain of edges between corners, or a closed one. Bounds any number of sheets.
+struct Curve {
+  std::vector<VertexId> chain;       // in order; a closed curve repeats the first vertex at the end
+  std::vector<std::uint32_t> lines;  // by edge of the chain: position in Complex::lines of the 1D
+                                     // elements on it; all edges of a curve carry alike elements
+  std::uint32_t lines_per_edge = 0;  // lines has lines_per_edge entries for each edge of the chain
+  bool closed = false;
+  bool junction = false;  // components meet along it
+  bool free = false;      // its edges have one face
+  bool fixed = false;     // may not be resampled (fixed edges, frozen surroundings)
+};
+
+/// A maximal piece of manifold surface between curves: one group set, one set of attributes.
+struct Sheet {
+  std::vector<FaceId> faces;  // ascending
+  bool planar = false;        // all faces within rounding of one plane
+  Vec3 normal;                // of that plane; zero otherwise
+};
+
+struct Brep {
+  std::vector<Dimension> dimension;  // by vertex
+  std::vector<Curve> curves;
+  std::vector<Sheet> sheets;
+  std::vector<SheetId> sheet_of_face;  // by face
+  /// By face and corner k: the curve of the edge from corner k to corner k+1, or none.
+  std::vector<std::array<CurveId, 3>> curve_of_edge;
+};
+
+struct BrepOptions {
+  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;  // radians; edges folded more are curves
+  double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;   // radians; sharper turns of a curve are corners (5.3)
+};
+
+/// Curves are: junction edges, free edges, non-manifold edges, sharp edges, edges between faces of
+/// different group set, attributes, component or orientation, edges with 1D elements, fixed edges.
+/// Corners are: vertices where other than two curve edges meet or where the two differ in what
+/// they bound or carry; sharp turns; kPinned and kFrozen vertices on curves; junction points; vertices with
+/// explicit node groups (a node group that neither covers all faces around the vertex nor both
+/// curve edges at it). kPinned and explicit vertices inside a sheet are corners too.
+///
+/// `junction_edges`, `junction_points`: as in Corefined.
+[[nodiscard]] Brep read_brep(const Complex& complex, std::span<const std::array<VertexId, 2>> junction_edges,
+                             std::span<const VertexId> junction_points, GroupSets& groups,
+                             const BrepOptions& options = {});
+
+}  // namespace meshgraft

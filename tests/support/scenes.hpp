@@ -1,0 +1,34 @@
+// Models made by formula, for tests and benchmarks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "meshgraft/model.hpp"
+
+namespace meshgraft::scenes {
+
+struct Surface {
+  std::function<Vec3(double u, double v)> at;  // u, v in [0, 1]
+  std::size_t nu = 10, nv = 10;                // cells
+  bool closed_u = false, closed_v = false;     // u = 0 and u = 1 are the same line
+  double jitter = 0;                           // share of a cell by which inner nodes move, < 0.4
+  std::uint32_t seed = 1;                      // of the jitter
+  std::string group = "SURFACE";               // of all faces
+};
+
+/// Triangulated grid; the diagonals alternate, so that no direction is preferred.
+[[nodiscard]] Model surface(const Surface& s);
+
+/// Parallelogram with corner `origin` and sides `u`, `v`, edges about `size`.
+[[nodiscard]] Model plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group = "PLATE",
+                          double jitter = 0);
+
+/// Open cylinder around the axis from `from` to `to`.
+[[nodiscard]] Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group = "CYLINDER");
+
+/// Two models in one, nothing joined.
+[[nodiscard]] Model together(const Model& a, const Model& b);
+
+}  // namespace meshgraft::scenes
