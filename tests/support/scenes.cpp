@@ -1,6 +1,9 @@
 #include "support/scenes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -65,24 +68,96 @@ Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string
   return surface(s);
 }
 
-Model together(const Model& a, const Model& b) {
+Model sphere(Vec3 centre, double radius, std::size_t n, const std::string& group) {
+  constexpr double g = std::numbers::phi;
+  const std::array<Vec3, 12> corner{{{-1, g, 0},
+                                     {1, g, 0},
+                                     {-1, -g, 0},
+                                     {1, -g, 0},
+                                     {0, -1, g},
+                                     {0, 1, g},
+                                     {0, -1, -g},
+                                     {0, 1, -g},
+                                     {g, 0, -1},
+                                     {g, 0, 1},
+                                     {-g, 0, -1},
+                                     {-g, 0, 1}}};
+  constexpr std::array<std::array<int, 3>, 20> triangle{{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                         {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                         {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                         {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
   ModelBuilder builder;
-  for (const Model* m : {&a, &b}) {
-    const std::size_t offset = m == &a ? 0 : a.n_nodes();
-    for (std::size_t n = 0; n < m->n_nodes(); ++n) {
-      const NodeId id = builder.add_node(m->position[n]);
-      for (const GroupId g : m->group_sets.members(m->node_groups[n]))
-        builder.add_to_group(m->groups[g.value].name, id);
-    }
-    for (std::size_t e = 0; e < m->n_elements(); ++e) {
-      std::vector<NodeId> nodes;
-      for (const NodeId n : m->nodes_of(ElementId(e))) nodes.emplace_back(n.value + offset);
-      const ElementId id = builder.add_element(m->attributes_of(ElementId(e)), nodes);
-      for (const GroupId g : m->group_sets.members(m->element_groups[e]))
-        builder.add_to_group(m->groups[g.value].name, id);
-    }
+  // A point is named by its weights on the corners of the icosahedron, so that triangles share it.
+  std::map<std::vector<std::pair<int, std::size_t>>, NodeId> known;
+  const auto node = [&](const std::array<int, 3>& t, std::array<std::size_t, 3> weight) {
+    std::vector<std::pair<int, std::size_t>> key;
+    Vec3 p;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (weight[k] > 0) key.emplace_back(t[k], weight[k]);
+    std::sort(key.begin(), key.end());
+    for (const auto& [c, w] : key) p += static_cast<double>(w) * corner[static_cast<std::size_t>(c)];
+    const auto it = known.find(key);
+    return it != known.end() ? it->second : known[key] = builder.add_node(centre + radius * normalized(p));
+  };
+  for (const auto& t : triangle)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; i + j < n; ++j) {
+        const std::size_t k = n - i - j;
+        const NodeId a = node(t, {k, i, j}), b = node(t, {k - 1, i + 1, j}), c = node(t, {k - 1, i, j + 1});
+        builder.add_to_group(group, builder.add_face(a, b, c));
+        if (k >= 2) builder.add_to_group(group, builder.add_face(b, node(t, {k - 2, i + 1, j + 1}), c));
+      }
+  return builder.build(group);
+}
+
+Model moved(Model model, const std::function<Vec3(Vec3)>& to) {
+  for (Vec3& p : model.position) p = to(p);
+  return model;
+}
+
+namespace {
+
+/// Adds `model` to the builder, node n under the id `node_of(n)`.
+template <class F>
+void add(ModelBuilder& builder, const Model& model, F&& node_of) {
+  for (std::size_t n = 0; n < model.n_nodes(); ++n)
+    for (const GroupId g : model.group_sets.members(model.node_groups[n]))
+      builder.add_to_group(model.groups[g.value].name, node_of(n));
+  for (std::size_t e = 0; e < model.n_elements(); ++e) {
+    std::vector<NodeId> nodes;
+    for (const NodeId n : model.nodes_of(ElementId(e))) nodes.push_back(node_of(n.value));
+    const ElementId id = builder.add_element(model.attributes_of(ElementId(e)), nodes);
+    for (const GroupId g : model.group_sets.members(model.element_groups[e]))
+      builder.add_to_group(model.groups[g.value].name, id);
   }
-  return builder.build(a.path + "+" + b.path);
+}
+
+}  // namespace
+
+Model together(std::span<const Model> models) {
+  ModelBuilder builder;
+  std::size_t offset = 0;
+  std::string name;
+  for (const Model& m : models) {
+    for (const Vec3 p : m.position) builder.add_node(p);
+    add(builder, m, [&](std::size_t n) { return NodeId(n + offset); });
+    offset += m.n_nodes();
+    name += (name.empty() ? "" : "+") + m.path;
+  }
+  return builder.build(name);
+}
+
+Model welded(const Model& model) {
+  ModelBuilder builder;
+  std::map<std::array<double, 3>, NodeId> at;
+  std::vector<NodeId> id;
+  for (const Vec3 p : model.position) {
+    const auto [it, fresh] = at.try_emplace({p.x, p.y, p.z});
+    if (fresh) it->second = builder.add_node(p);
+    id.push_back(it->second);
+  }
+  add(builder, model, [&](std::size_t n) { return id[n]; });
+  return builder.build(model.path);
 }
 
 }  // namespace meshgraft::scenes

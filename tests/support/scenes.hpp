@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "meshgraft/model.hpp"
@@ -28,7 +29,16 @@ struct Surface {
 /// Open cylinder around the axis from `from` to `to`.
 [[nodiscard]] Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group = "CYLINDER");
 
-/// Two models in one, nothing joined.
-[[nodiscard]] Model together(const Model& a, const Model& b);
+/// Geodesic sphere: an icosahedron, each edge cut in `n`.
+[[nodiscard]] Model sphere(Vec3 centre, double radius, std::size_t n, const std::string& group = "SPHERE");
+
+/// The same model with every node at `to(position)`.
+[[nodiscard]] Model moved(Model model, const std::function<Vec3(Vec3)>& to);
+
+/// Several models in one, nothing joined.
+[[nodiscard]] Model together(std::span<const Model> models);
+
+/// The same model with nodes of equal coordinates made one.
+[[nodiscard]] Model welded(const Model& model);
 
 }  // namespace meshgraft::scenes

@@ -1,0 +1,24 @@
+// Named merges: the situations a user meets, and what must come out of each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "meshgraft/model.hpp"
+#include "meshgraft/options.hpp"
+
+namespace meshgraft::scenes {
+
+struct Merge {
+  std::string name;
+  Model base;
+  std::vector<Model> parts;
+  double min_q = 0.5;   // the least Q that the input angles allow
+  double mean_q = 0.9;  // 0.85 where sizes grade
+  bool apart = false;   // the part misses the base
+};
+
+/// All of them; names are stable and usable as file names.
+[[nodiscard]] std::vector<Merge> catalogue();
+
+}  // namespace meshgraft::scenes

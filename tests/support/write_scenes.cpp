@@ -1,0 +1,33 @@
+// Writes every scene of the catalogue as universal files: DIR/NAME/base.unv, part_1.unv, ...
+#include <cstdio>
+#include <filesystem>
+
+#include "meshgraft/unv.hpp"
+#include "support/catalogue.hpp"
+
+namespace {
+
+bool write(const meshgraft::Model& model, const std::filesystem::path& path) {
+  const auto done = meshgraft::write_unv(model, path.string());
+  if (!done) std::fprintf(stderr, "%s\n", meshgraft::to_string(done.error()).c_str());
+  return done.has_value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: write_scenes DIR\n");
+    return 2;
+  }
+  for (const auto& scene : meshgraft::scenes::catalogue()) {
+    const std::filesystem::path folder = std::filesystem::path(argv[1]) / scene.name;
+    std::filesystem::create_directories(folder);
+    bool good = write(scene.base, folder / "base.unv");
+    for (std::size_t k = 0; k < scene.parts.size(); ++k)
+      good = write(scene.parts[k], folder / ("part_" + std::to_string(k + 1) + ".unv")) && good;
+    if (!good) return 1;
+    std::printf("%s\n", scene.name.c_str());
+  }
+  return 0;
+}
