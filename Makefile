@@ -1,0 +1,56 @@
+# Everything a newcomer needs, on Debian 12 with nothing but git and make installed.
+#
+#   make demo      build, merge two stiffeners into the caisson, show what came out
+#   make test      build and run the tests
+#   make build     build only; the program is build/release/meshgraft
+#   make sanitize  the tests again, under the address and undefined-behaviour sanitizers
+#   make bench     measure speed and memory, beside CGAL doing the same
+#   make format    lay out the sources with clang-format
+#   make lint      names and common mistakes, with clang-tidy
+#   make clean     remove build/
+
+JOBS := $(shell nproc)
+SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'tools/*.[ch]pp' 'examples/*.cpp')
+
+.PHONY: demo test build sanitize bench format lint clean packages
+.DEFAULT_GOAL := build
+
+demo: build/release/build.ninja
+	cmake --build build/release --target meshgraft_cli meshgraft_draw
+	tools/demo build/release build/demo
+
+test: build
+	ctest --preset release -j $(JOBS)
+
+build: build/release/build.ninja
+	cmake --build build/release
+
+sanitize: packages
+	cmake --preset sanitize
+	cmake --build build/sanitize
+	ctest --preset sanitize -j $(JOBS)
+
+bench:
+	tools/install-packages build bench
+	cmake --preset bench
+	cmake --build build/bench
+	bench/table build/bench
+
+format:
+	tools/install-packages lint
+	clang-format -i $(SOURCES)
+
+lint:
+	tools/install-packages build bench lint
+	cmake --preset bench -DMESHGRAFT_TESTS=ON
+	clang-format --dry-run --Werror $(SOURCES)
+	printf '%s\n' $(filter %.cpp,$(SOURCES)) | xargs -P $(JOBS) -n 1 clang-tidy --quiet -p build/bench
+
+clean:
+	rm -rf build
+
+build/release/build.ninja: packages
+	cmake --preset release
+
+packages:
+	@tools/install-packages build
