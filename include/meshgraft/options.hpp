@@ -33,6 +33,8 @@ struct MergeOptions {
   std::optional<int> bandwidth;
   /// Least aspect ratio Q (paper 5.5) accepted for a new face.
   double min_quality = 0.5;
+  /// Parts that meet nothing are added unjoined, with a warning, instead of kPartsApart.
+  bool allow_apart = false;
 
   /// Called at the start of each stage with its name and the share of the work done, 0 to 1.
   std::function<void(std::string_view stage, double done)> progress;
