@@ -34,7 +34,7 @@ bench:
 	tools/install-packages build bench
 	cmake --preset bench
 	cmake --build build/bench
-	bench/table build/bench
+	build/bench/bench/meshgraft_bench build/bench/meshgraft build/bench/scenes
 
 format:
 	tools/install-packages lint

@@ -1,0 +1,236 @@
+// meshgraft_bench PROGRAM DIRECTORY: speed and memory on scenes that grow; DIRECTORY receives files.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <optional>
+
+#include "bench_scenes.hpp"
+#include "geometry/quality.hpp"
+#include "meshgraft/merge.hpp"
+#include "meshgraft/unv.hpp"
+#include "peer_cgal.hpp"
+#include "results.hpp"
+
+namespace meshgraft::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using benchmark::State;
+
+constexpr double kMeanEdgeOfCell = 1.14;  // of a square cell cut in two: (1 + 1 + sqrt 2) / 3
+
+fs::path program, directory;
+
+/// The last scene asked for; only one is held, because the largest take gigabytes.
+template <class Make>
+const Scene& cached(Make make, std::size_t n_faces) {
+  static std::optional<Scene> scene;
+  static std::pair<Make, std::size_t> key;
+  if (!scene || key != std::pair(make, n_faces)) {
+    scene.reset();
+    scene = make(n_faces);
+    key = {make, n_faces};
+  }
+  return *scene;
+}
+
+const Scene& scene_of(const State& state) { return cached(&growing_zone, static_cast<std::size_t>(state.range(0))); }
+
+struct Files {
+  fs::path base, part, output;
+  [[nodiscard]] std::uintmax_t input_bytes() const { return fs::file_size(base) + fs::file_size(part); }
+};
+
+/// The growing scene as files, written on first use.
+Files files_of(const State& state) {
+  const std::string n = std::to_string(state.range(0));
+  Files files{directory / ("base" + n + ".unv"), directory / ("part" + n + ".unv"), directory / "output.unv"};
+  if (!fs::exists(files.part)) {
+    const Scene& scene = scene_of(state);
+    if (!write_unv(scene.base, files.base.string()) || !write_unv(scene.part, files.part.string())) {
+      std::cerr << "cannot write to " << directory << '\n';
+      std::exit(5);
+    }
+  }
+  return files;
+}
+
+void report_quality(State& state, std::vector<double> q) {
+  const auto below = std::count_if(q.begin(), q.end(), [](double value) { return value < 0.5; });
+  double sum = 0;
+  for (const double value : q) sum += value;
+  const auto n = static_cast<double>(q.size());
+  state.counters["new_faces"] = n;
+  state.counters["min_q"] = *std::min_element(q.begin(), q.end());
+  state.counters["mean_q"] = sum / n;
+  state.counters["below_percent"] = 100 * static_cast<double>(below) / n;
+}
+
+void merge_arrays(State& state, const Scene& scene) {
+  for (auto _ : state) {
+    const Result<Merged> merged = merge(scene.base, std::span(&scene.part, 1));
+    if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
+    Model result = apply(scene.base, std::span(&scene.part, 1), *merged);
+    benchmark::DoNotOptimize(result);
+
+    state.PauseTiming();
+    const Report& report = merged->report;
+    for (const auto& [stage, seconds] : report.timings) state.counters["s:" + stage] = seconds;
+    std::vector<double> q;
+    for (std::size_t e = result.n_elements() - merged->graft.new_elements.size(); e < result.n_elements(); ++e)
+      if (result.is_face(ElementId(e))) q.push_back(aspect_ratio(result.corners(ElementId(e))));
+    report_quality(state, q);
+    result = {};
+    state.ResumeTiming();
+  }
+}
+
+Triangles triangles_of(const Model& model) {
+  Triangles t{model.position, {}};
+  for (std::size_t e = 0; e < model.n_elements(); ++e) {
+    const auto n = model.nodes_of(ElementId(e));
+    t.faces.push_back({n[0].value, n[1].value, n[2].value});
+  }
+  return t;
+}
+
+void merge_with_peer(State& state, bool conforming) {
+  const Scene& scene = scene_of(state);
+  const Triangles base = triangles_of(scene.base), part = triangles_of(scene.part);
+  PeerOptions options;
+  options.conforming = conforming;
+  options.target_size = kMeanEdgeOfCell * scene.size;
+  for (auto _ : state) {
+    const PeerResult result = merge_with_cgal(base, part, options);
+
+    state.PauseTiming();
+    state.counters["s:build"] = result.build_seconds;
+    state.counters["s:corefine"] = result.corefine_seconds;
+    state.counters["s:remesh"] = result.remesh_seconds;
+    state.counters["s:collect"] = result.collect_seconds;
+    std::vector<double> q;
+    for (std::size_t f = result.first_new; f < result.merged.faces.size(); ++f) {
+      const auto& n = result.merged.faces[f];
+      q.push_back(
+          aspect_ratio({result.merged.position[n[0]], result.merged.position[n[1]], result.merged.position[n[2]]}));
+    }
+    report_quality(state, q);
+    state.ResumeTiming();
+  }
+}
+
+/// Runs a program to its end; its exit status and peak resident memory in bytes.
+std::pair<int, std::uint64_t> run(const std::vector<std::string>& arguments) {
+  std::vector<char*> argv;
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  const pid_t child = vfork();
+  if (child == 0) {
+    execvp(argv[0], argv.data());
+    _exit(127);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+}
+
+void run_program(State& state) {
+  const Files files = files_of(state);
+  std::uint64_t peak = 0;
+  for (auto _ : state) {
+    const auto [status, memory] =
+        run({program.string(), "merge", files.base.string(), files.part.string(), "-o", files.output.string(), "-q"});
+    if (status != 0) return state.SkipWithError(("exit status " + std::to_string(status)).c_str());
+    peak = std::max(peak, memory);
+  }
+  const auto bytes = files.input_bytes();
+  state.counters["bytes"] = static_cast<double>(bytes);
+  state.counters["bytes_per_face"] =
+      (static_cast<double>(peak) - static_cast<double>(bytes)) / static_cast<double>(state.range(0));
+}
+
+void run_cp(State& state) {
+  const Files files = files_of(state);
+  const std::string copy_of_part = files.output.string() + ".part";
+  for (auto _ : state) {
+    if (run({"cp", files.base.string(), files.output.string()}).first != 0 ||
+        run({"cp", files.part.string(), copy_of_part}).first != 0)
+      return state.SkipWithError("cp failed");
+  }
+  state.counters["bytes"] = static_cast<double>(files.input_bytes());
+}
+
+void read_file(State& state) {
+  const Files files = files_of(state);
+  for (auto _ : state) {
+    const Result<Model> model = read_unv(files.base.string());
+    if (!model) return state.SkipWithError(to_string(model.error()).c_str());
+    benchmark::DoNotOptimize(model->position.data());
+  }
+  state.counters["bytes"] = static_cast<double>(fs::file_size(files.base));
+}
+
+void write_merged(State& state) {
+  const Files files = files_of(state);
+  const Result<Model> base = read_unv(files.base.string());
+  const Result<Model> part = read_unv(files.part.string());
+  if (!base || !part) return state.SkipWithError("cannot read");
+  Result<Merged> merged = merge(*base, std::span(&*part, 1));
+  if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
+  for (auto _ : state)
+    if (!write_unv(*base, std::span(&*part, 1), *merged, files.output.string(), merged->report))
+      return state.SkipWithError("cannot write");
+  state.counters["bytes"] = static_cast<double>(fs::file_size(files.output));
+}
+
+void register_all() {
+  // One scene after the other, because only one is held in memory.
+  for (const std::int64_t n : {10'000, 100'000, 1'000'000, 4'000'000}) {
+    const auto add = [n](const std::string& name, std::function<void(State&)> body) {
+      constexpr int kRuns = 3;  // the fastest counts
+      benchmark::RegisterBenchmark(name.c_str(), std::move(body))
+          ->Arg(n)
+          ->Iterations(1)
+          ->Repetitions(kRuns)
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    };
+    add("cp", run_cp);
+    add("read", read_file);
+    add("write", write_merged);
+    add("program", run_program);
+    add("merge", [](State& state) { merge_arrays(state, scene_of(state)); });
+    add("peer", [](State& state) { merge_with_peer(state, true); });
+    add("peer_apart", [](State& state) { merge_with_peer(state, false); });
+    add("zone",
+        [](State& state) { merge_arrays(state, cached(&constant_zone, static_cast<std::size_t>(state.range(0)))); });
+  }
+}
+
+}  // namespace
+}  // namespace meshgraft::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc != 3) {
+    std::cerr << "usage: meshgraft_bench [--benchmark_filter=NAME/SIZE] PROGRAM DIRECTORY\n";
+    return 2;
+  }
+  meshgraft::bench::program = std::filesystem::absolute(argv[1]);
+  meshgraft::bench::directory = argv[2];
+  std::filesystem::create_directories(argv[2]);
+  meshgraft::bench::register_all();
+  meshgraft::bench::Results results;
+  benchmark::RunSpecifiedBenchmarks(&results);
+  results.print_tables();
+  return 0;
+}
