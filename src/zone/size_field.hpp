@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,26 +15,46 @@
 namespace meshgraft {
 
 struct SizeOptions {
-  std::optional<double> junction_size;  // instead of l_a
-  double gradation = 0.4;               // change of size per unit of length
-  double gap_share = 1.0;               // size allowed between two curves, as a share of their distance
+  std::optional<double> junction_size;            // instead of l_a
+  double gradation = 0.4;                         // change of size per unit of length, > 0
+  double finer_share = 1.5;                       // l_a is at most this x the size of the finer mesh
+  double gap_share = 1.0;                         // size allowed between two curves, as a share of their distance
+  double gap_floor = 0.05;                        // a gap asks for no less than this share of the size around it
+  double cone = 40.0 / 180.0 * std::numbers::pi;  // radians; curves that meet at more leave no narrow corner
+  double cone_floor = 0.2;                        // as gap_floor, in a narrow corner
 };
 
+/// The size at a place is, in this order:
+///
+///   own       of the original faces of the sheet: mean edge length of the faces around each vertex,
+///             interpolated on the nearest face
+///   at least  l_a - gradation x distance to the junction
+///   at most   l_a + gradation x distance to the junction, and likewise around each place that needs
+///             small faces: narrow gaps between curves, short curves, tight bends of a curve, curves
+///             that the input divides more finely than their sheets
+///
+/// l_a at a place of the junction is the mean edge length of the faces of the meshes that meet there,
+/// each mesh counted by the number of its faces along the line: the harmonic mean of their own sizes,
+/// but at most `finer_share` x the smallest. Read as: the mean of paper 5.3 over the faces near the
+/// place instead of over the whole line, so that graded meshes get a graded line.
 class SizeField {
  public:
   /// `original`: the complex before corefinement (its faces tell the meshes' own sizes);
-  /// `complex`, `brep`: after it.
+  /// `complex`, `brep`: after it. Cost O((m + k) log m), k curve vertices.
   SizeField(const Complex& original, const Complex& complex, const Brep& brep, const SizeOptions& options);
 
   /// Wanted edge length at `p` in a sheet. Cost O(log n).
   [[nodiscard]] double at(SheetId sheet, Vec3 p) const;
-  /// On a curve: agrees between all sheets at it.
+  /// On a curve: the least wish of the sheets at it, so that all of them agree.
   [[nodiscard]] double on_curve(CurveId curve, Vec3 p) const;
-  /// l_a near `p`: mean edge length of the touched faces of both meshes there.
+  /// l_a near `p`: mean edge length of the touched faces of both meshes there; infinite without a junction.
   [[nodiscard]] double junction_size(Vec3 p) const;
+  /// Change of size per unit of length.
+  [[nodiscard]] double gradation() const;
+
+  struct Data;
 
  private:
-  struct Data;
   std::shared_ptr<const Data> data_;
 };
 

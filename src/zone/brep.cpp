@@ -1,0 +1,209 @@
+#include "zone/brep.hpp"
+
+#include <algorithm>
+
+#include "geometry/quality.hpp"
+#include "zone/chains.hpp"
+#include "zone/curve_edges.hpp"
+#include "zone/edge_table.hpp"
+#include "zone/parents.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kTurnReach = 0.1;    // share of the edge length of the parents over which a turn is measured
+constexpr double kPlaneShare = 1e-9;  // of the size of a sheet: what rounding leaves of a plane
+
+/// Number of fans (faces joined over edges that are no curve) at a vertex.
+std::size_t n_fans(VertexId v, std::span<const FaceId> faces, const Complex& complex, const EdgeTable& edges,
+                   const CurveEdges& curves) {
+  std::vector<std::uint8_t> seen(faces.size(), 0);
+  std::vector<std::size_t> stack;
+  std::size_t fans = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (seen[i]) continue;
+    ++fans;
+    seen[i] = 1;
+    stack.push_back(i);
+    while (!stack.empty()) {
+      const FaceId f = faces[stack.back()];
+      stack.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const EdgeId e = edges.of(f, k);
+        const auto& corner = complex.face[f.value];
+        if ((corner[k] != v && corner[(k + 1) % 3] != v) || curves.is_curve(e)) continue;
+        for (const EdgeUse& use : edges.uses(e)) {
+          const auto j = static_cast<std::size_t>(std::ranges::lower_bound(faces, use.face) - faces.begin());
+          if (!seen[j]) seen[j] = 1, stack.push_back(j);
+        }
+      }
+    }
+  }
+  return fans;
+}
+
+class Reader {
+ public:
+  Reader(const Complex& complex, std::span<const std::array<VertexId, 2>> junction_edges,
+         std::span<const VertexId> junction_points, GroupSets& groups, const BrepOptions& options)
+      : complex_(complex),
+        groups_(groups),
+        options_(options),
+        edges_(complex),
+        faces_at_(complex),
+        parents_(complex),
+        curves_(curve_edges(complex, edges_, parents_, junction_edges, options)),
+        degree_(edges_, curves_, complex.n_vertices()),
+        corner_(complex.n_vertices(), 0) {
+    for (const VertexId v : junction_points) corner_[v.value] = 1;
+  }
+
+  Brep read() {
+    mark_corners();
+    mark_sharp_turns();
+    Brep brep;
+    make_curves(brep);
+    make_sheets(brep);
+    brep.dimension.assign(complex_.n_vertices(), Dimension::kSheet);
+    for (std::size_t v = 0; v < complex_.n_vertices(); ++v)
+      if (corner_[v])
+        brep.dimension[v] = Dimension::kCorner;
+      else if (degree_.count[v] != 0)
+        brep.dimension[v] = Dimension::kCurve;
+    return brep;
+  }
+
+ private:
+  void mark_corners() {
+    for (const VertexId v : curves_.ends_of_loose_lines) corner_[v.value] = 1;
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (curves_.fixed[e])
+        for (const VertexId v : edges_.ends(EdgeId(e))) corner_[v.value] = 1;
+    for (std::size_t i = 0; i < complex_.n_vertices(); ++i)
+      if (!corner_[i] && is_corner(VertexId(i))) corner_[i] = 1;
+  }
+
+  bool is_corner(VertexId v) {
+    const auto faces = faces_at_[v];
+    if (faces.empty() || complex_.state[v.value] != VertexState::kOpen) return true;
+    const std::uint32_t degree = degree_.count[v.value];
+    if (degree != 0 && !degree_.passes(v, curves_)) return true;
+    // A curve that passes has one fan on each of its sides; more is a point where surfaces touch.
+    const std::size_t sides = degree == 0 ? 1 : edges_.uses(degree_.around[v.value][0]).size();
+    return n_fans(v, faces, complex_, edges_, curves_) != sides || is_explicit(v);
+  }
+
+  /// Whether a node group names this vertex for its own sake (see read_brep).
+  bool is_explicit(VertexId v) {
+    const GroupSetId all = complex_.vertex_groups[v.value];
+    if (all == GroupSets::kEmpty) return false;
+    GroupSetId area = all;
+    for (const FaceId f : faces_at_[v])
+      for (const VertexId w : complex_.face[f.value]) area = groups_.intersect(area, complex_.vertex_groups[w.value]);
+    if (area == all) return false;
+    GroupSetId line = GroupSets::kEmpty;
+    if (degree_.count[v.value] == 2) {
+      line = all;
+      for (const EdgeId e : degree_.around[v.value])
+        for (const VertexId w : edges_.ends(e)) line = groups_.intersect(line, complex_.vertex_groups[w.value]);
+    }
+    return groups_.unite(area, line) != all;
+  }
+
+  void mark_sharp_turns() {
+    const std::vector<Vec3> area_vector = area_vectors(parents_, complex_);
+    std::vector<double> reach(complex_.n_vertices(), 0);
+    for (std::size_t v = 0; v < reach.size(); ++v) {
+      if (degree_.count[v] != 2) continue;
+      double least = std::numeric_limits<double>::infinity();
+      for (const FaceId f : faces_at_[VertexId(v)])
+        least = std::min(least, edge_length_of_area(norm(area_vector[parents_.of_face[f.value]])));
+      reach[v] = kTurnReach * least;
+    }
+    for (const Chain& chain : chains(edges_, curves_, degree_, corner_))
+      for (const VertexId v : sharp_turns(chain, complex_.position, reach, options_.turn_angle)) corner_[v.value] = 1;
+  }
+
+  void make_curves(Brep& brep) const {
+    brep.curve_of_edge.assign(complex_.n_faces(), {});
+    for (Chain& chain : chains(edges_, curves_, degree_, corner_)) {
+      const EdgeId first = chain.edges.front();
+      Curve curve;
+      curve.closed = chain.closed;
+      curve.junction = curves_.junction[first.value] != 0;
+      curve.fixed = curves_.fixed[first.value] != 0;
+      curve.free = edges_.uses(first).size() == 1;
+      curve.lines_per_edge = static_cast<std::uint32_t>(curves_.lines_of(first).size());
+      const CurveId id(brep.curves.size());
+      for (const EdgeId e : chain.edges) {
+        const auto lines = curves_.lines_of(e);
+        curve.lines.insert(curve.lines.end(), lines.begin(), lines.end());
+        for (const EdgeUse& use : edges_.uses(e)) brep.curve_of_edge[use.face.value][use.corner] = id;
+      }
+      curve.chain = std::move(chain.vertices);
+      brep.curves.push_back(std::move(curve));
+    }
+  }
+
+  void make_sheets(Brep& brep) const {
+    brep.sheet_of_face.assign(complex_.n_faces(), {});
+    for (std::size_t i = 0; i < complex_.n_faces(); ++i) {
+      if (brep.sheet_of_face[i].valid()) continue;
+      Sheet sheet;
+      const SheetId id(brep.sheets.size());
+      sheet.faces.emplace_back(i);
+      brep.sheet_of_face[i] = id;
+      for (std::size_t next = 0; next < sheet.faces.size(); ++next)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const EdgeId e = edges_.of(sheet.faces[next], k);
+          if (curves_.is_curve(e)) continue;
+          for (const EdgeUse& use : edges_.uses(e)) {
+            if (brep.sheet_of_face[use.face.value].valid()) continue;
+            brep.sheet_of_face[use.face.value] = id;
+            sheet.faces.push_back(use.face);
+          }
+        }
+      std::ranges::sort(sheet.faces);
+      find_plane(sheet);
+      brep.sheets.push_back(std::move(sheet));
+    }
+  }
+
+  void find_plane(Sheet& sheet) const {
+    Box box;
+    Vec3 sum;
+    for (const FaceId f : sheet.faces) {
+      const Triangle t = complex_.corners(f);
+      sum += area_vector(t);
+      for (const Vec3 p : t) box.add(p);
+    }
+    const Vec3 normal = normalized(sum), origin = midpoint(box.low, box.high);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const FaceId f : sheet.faces)
+      for (const Vec3 p : complex_.corners(f)) {
+        const double height = dot(normal, p - origin);
+        low = std::min(low, height), high = std::max(high, height);
+      }
+    sheet.planar = squared_norm(normal) > 0 && high - low <= 2 * kPlaneShare * box.diagonal();
+    if (sheet.planar) sheet.normal = normal;
+  }
+
+  const Complex& complex_;
+  GroupSets& groups_;
+  const BrepOptions& options_;
+  EdgeTable edges_;
+  VertexFaces faces_at_;
+  Parents parents_;
+  CurveEdges curves_;
+  CurveDegree degree_;
+  std::vector<std::uint8_t> corner_;  // by vertex
+};
+
+}  // namespace
+
+Brep read_brep(const Complex& complex, std::span<const std::array<VertexId, 2>> junction_edges,
+               std::span<const VertexId> junction_points, GroupSets& groups, const BrepOptions& options) {
+  return Reader(complex, junction_edges, junction_points, groups, options).read();
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,34 @@
+// The edge length that the original faces of a sheet have.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "geometry/box_tree.hpp"
+#include "geometry/quality.hpp"
+#include "zone/brep.hpp"
+
+namespace meshgraft {
+
+/// Mean edge length of the original faces around each of their vertices, linear on each face and
+/// constant along the normal: the value at p is that at the nearest point of the faces.
+class OwnSize {
+ public:
+  /// Values at the corners of each triangle.
+  OwnSize(std::vector<Triangle> triangles, std::vector<std::array<double, 3>> values);
+  [[nodiscard]] double at(Vec3 p) const;
+  [[nodiscard]] double largest() const { return largest_; }
+
+ private:
+  std::vector<Triangle> triangles_;
+  std::vector<std::array<double, 3>> values_;
+  BoxTree tree_;
+  double largest_ = 0;
+  bool uniform_ = false;  // then no search
+};
+
+/// One per sheet, over the parents of its faces.
+[[nodiscard]] std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep);
+
+}  // namespace meshgraft

@@ -1,0 +1,230 @@
+#include "zone/size_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
+#include "zone/edge_table.hpp"
+#include "zone/gaps.hpp"
+#include "zone/original_faces.hpp"
+#include "zone/own_size.hpp"
+#include "zone/ruler.hpp"
+#include "zone/size_limits.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kWorthALimit = 0.9;  // a curve must be finer than this share of the size around it
+constexpr double kBend = 0.7;         // the same for bends; a ruler without bends already rounds to 0.71
+constexpr double kStraight = 0.2;     // radians; a curve that turns less in all has no bends
+
+std::vector<std::vector<SheetId>> sheets_at_curves(const Brep& brep) {
+  std::vector<std::vector<SheetId>> result(brep.curves.size());
+  for (std::size_t f = 0; f < brep.curve_of_edge.size(); ++f)
+    for (const CurveId c : brep.curve_of_edge[f])
+      if (c.valid()) result[c.value].push_back(brep.sheet_of_face[f]);
+  for (auto& sheets : result) {
+    std::ranges::sort(sheets);
+    sheets.erase(std::ranges::unique(sheets).begin(), sheets.end());
+  }
+  return result;
+}
+
+double total_turn(std::span<const Vec3> points) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Vec3 in = points[i] - points[i - 1], out = points[i + 1] - points[i];
+    sum += std::atan2(norm(cross(in, out)), dot(in, out));
+  }
+  return sum;
+}
+
+}  // namespace
+
+struct SizeField::Data {
+  SizeOptions options;
+  std::vector<OwnSize> own;                            // by sheet
+  std::vector<std::vector<SheetId>> sheets;            // by curve
+  std::vector<std::vector<std::uint32_t>> components;  // by curve: of each of `sheets`
+  SizeLimits junction;                                 // l_a
+  SizeLimits limits;                                   // l_a too
+
+  [[nodiscard]] double at(SheetId sheet, Vec3 p) const {
+    double size = own[sheet.value].at(p);
+    if (junction.largest() > size) {
+      const auto near = junction.nearest(p, (junction.largest() - size) / options.gradation);
+      if (near.found) size = std::max(size, near.size - options.gradation * near.distance);
+    }
+    return limits.least(p, size);
+  }
+
+  [[nodiscard]] double on_curve(CurveId curve, Vec3 p) const {
+    double size = std::numeric_limits<double>::infinity();
+    for (const SheetId s : sheets[curve.value]) size = std::min(size, at(s, p));
+    return size;
+  }
+
+  /// l_a: see the class comment.
+  [[nodiscard]] double mean_at_junction(CurveId curve, Vec3 p) const {
+    if (options.junction_size) return *options.junction_size;
+    // A mesh that continues on several sheets counts once, with their mean.
+    std::vector<std::pair<std::uint32_t, double>> wishes;
+    for (std::size_t i = 0; i < sheets[curve.value].size(); ++i)
+      wishes.emplace_back(components[curve.value][i], own[sheets[curve.value][i].value].at(p));
+    std::ranges::sort(wishes);
+    double inverse = 0, finest = std::numeric_limits<double>::infinity();
+    int meshes = 0;
+    for (std::size_t i = 0; i < wishes.size(); ++meshes) {
+      double sum = 0;
+      int n = 0;
+      for (const std::uint32_t mesh = wishes[i].first; i < wishes.size() && wishes[i].first == mesh; ++i)
+        sum += wishes[i].second, ++n;
+      inverse += n / sum;
+      finest = std::min(finest, sum / n);
+    }
+    return std::min(meshes / inverse, options.finer_share * finest);
+  }
+};
+
+namespace {
+
+using Data = SizeField::Data;
+
+class Builder {
+ public:
+  Builder(const Complex& original, const Complex& complex, const Brep& brep, Data& data)
+      : original_(original), complex_(complex), brep_(brep), data_(data), edges_(complex), originals_(original) {}
+
+  void build() {
+    data_.own = own_sizes(original_, complex_, brep_);
+    data_.sheets = sheets_at_curves(brep_);
+    for (const auto& sheets : data_.sheets) {
+      auto& components = data_.components.emplace_back();
+      for (const SheetId s : sheets)
+        components.push_back(complex_.component[brep_.sheets[s.value].faces.front().value]);
+    }
+    std::vector<SizeLimit> limits = junction();
+    data_.junction = SizeLimits(limits, data_.options.gradation);
+    data_.limits = SizeLimits(limits, data_.options.gradation);
+
+    // Each step knows the limits of the steps before it and asks for what they leave out.
+    add(limits, fine_curves());
+    add(limits, narrow_places(complex_, brep_, data_.options, [&](SheetId s, Vec3 p) { return data_.at(s, p); }));
+    add(limits, bends());
+  }
+
+ private:
+  void add(std::vector<SizeLimit>& limits, const std::vector<SizeLimit>& more) {
+    if (more.empty()) return;
+    limits.insert(limits.end(), more.begin(), more.end());
+    data_.limits = SizeLimits(limits, data_.options.gradation);
+  }
+
+  [[nodiscard]] std::vector<Vec3> points(const Curve& curve) const {
+    std::vector<Vec3> result;
+    for (const VertexId v : curve.chain) result.push_back(complex_.position[v.value]);
+    return result;
+  }
+
+  [[nodiscard]] std::vector<SizeLimit> junction() const {
+    std::vector<SizeLimit> result;
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      if (!brep_.curves[c].junction) continue;
+      const std::vector<Vec3> p = points(brep_.curves[c]);
+      double before = data_.mean_at_junction(CurveId(c), p[0]);
+      for (std::size_t i = 1; i < p.size(); ++i) {
+        const double l = data_.mean_at_junction(CurveId(c), p[i]);
+        result.push_back({p[i - 1], p[i], before, l});
+        before = l;
+      }
+    }
+    return result;
+  }
+
+  /// Curves that the input divides more finely than their sheets, or that are short between corners.
+  [[nodiscard]] std::vector<SizeLimit> fine_curves() const {
+    std::vector<SizeLimit> result;
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      const Curve& curve = brep_.curves[c];
+      const std::vector<Vec3> p = points(curve);
+      const double length = curve.closed ? std::numeric_limits<double>::infinity() : arc_lengths(p).back();
+      for (std::size_t i = 1; i < p.size(); ++i) {
+        const double around = data_.on_curve(CurveId(c), midpoint(p[i - 1], p[i]));
+        const double floor = data_.options.gap_floor * around;
+        const double size = std::max(floor, std::min(length, input_spacing(curve, i)));
+        if (size < kWorthALimit * around) result.push_back({p[i - 1], p[i], size, size});
+      }
+    }
+    return result;
+  }
+
+  /// Places that the ruler spaces more finely than the sizes so far, for the shape of the curve.
+  [[nodiscard]] std::vector<SizeLimit> bends() const {
+    RulerOptions ruler;
+    ruler.gradation = data_.options.gradation;
+    std::vector<SizeLimit> result;
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      const Curve& curve = brep_.curves[c];
+      const std::vector<Vec3> p = points(curve);
+      if (curve.fixed || total_turn(p) < kStraight) continue;
+      const auto size = [&](double, Vec3 at) { return data_.on_curve(CurveId(c), at); };
+      const std::vector<double> arc = arc_lengths(p), nodes = resampled(p, curve.closed, size, ruler);
+      for (std::size_t i = 1; i < nodes.size(); ++i) {
+        const Vec3 a = point_at(p, arc, nodes[i - 1]), b = point_at(p, arc, nodes[i]);
+        const double piece = nodes[i] - nodes[i - 1], around = size(0, midpoint(a, b));
+        if (piece >= kBend * around) continue;
+        const double allowed = std::max(piece, data_.options.gap_floor * around);
+        result.push_back({a, b, allowed, allowed});
+      }
+    }
+    return result;
+  }
+
+  /// Length of the input edge that an edge of a curve is a part of; infinite on a junction.
+  [[nodiscard]] double input_spacing(const Curve& curve, std::size_t i) const {
+    if (curve.junction) return std::numeric_limits<double>::infinity();
+    const VertexId a = curve.chain[i - 1], b = curve.chain[i];
+    const FaceId face = edges_.uses(edges_.find(a, b)).front().face;
+    const FaceId parent = originals_.find(complex_.parent[face.value]);
+    if (!parent.valid()) return std::numeric_limits<double>::infinity();
+    const Triangle t = original_.corners(parent);
+    const Vec3 middle = midpoint(complex_.position[a.value], complex_.position[b.value]);
+    double length = 0, nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 from = t[k], to = t[(k + 1) % 3];
+      const double d = squared_norm(middle - closest_on_segment(middle, from, to).point);
+      if (d < nearest) nearest = d, length = distance(from, to);
+    }
+    return length;
+  }
+
+  const Complex& original_;
+  const Complex& complex_;
+  const Brep& brep_;
+  Data& data_;
+  const EdgeTable edges_;
+  const OriginalFaces originals_;
+};
+
+}  // namespace
+
+SizeField::SizeField(const Complex& original, const Complex& complex, const Brep& brep, const SizeOptions& options) {
+  auto data = std::make_shared<Data>();
+  data->options = options;
+  Builder(original, complex, brep, *data).build();
+  data_ = std::move(data);
+}
+
+double SizeField::at(SheetId sheet, Vec3 p) const { return data_->at(sheet, p); }
+double SizeField::on_curve(CurveId curve, Vec3 p) const { return data_->on_curve(curve, p); }
+double SizeField::gradation() const { return data_->options.gradation; }
+
+double SizeField::junction_size(Vec3 p) const {
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  const auto near = data_->junction.nearest(p, kAnywhere);
+  return near.found ? near.size : kAnywhere;
+}
+
+}  // namespace meshgraft
