@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "remesh/sizing.hpp"
 #include "zone/brep.hpp"
 #include "zone/size_field.hpp"
 
@@ -35,6 +36,7 @@ struct Remeshed {
 /// Remeshes the faces marked in `in_zone`.
 ///
 ///   complex   corefined; it is the reference surface too
+///   groups    of the complex; intersections for new vertices are added
 ///
 ///  (1) Faces outside the zone, corners, frozen and pinned vertices are unchanged. A vertex with a
 ///      face outside the zone does not move.
@@ -47,6 +49,12 @@ struct Remeshed {
 ///      line of the old edges, with the parent beneath its middle, in the parent's direction.
 ///  (6) Deterministic.
 [[nodiscard]] Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
-                              const std::vector<std::uint8_t>& in_zone, const RemeshOptions& options);
+                              const std::vector<std::uint8_t>& in_zone, GroupSets& groups,
+                              const RemeshOptions& options = {});
+
+/// The same with sizes from elsewhere.
+[[nodiscard]] Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
+                              const std::vector<std::uint8_t>& in_zone, GroupSets& groups,
+                              const RemeshOptions& options = {});
 
 }  // namespace meshgraft

@@ -1,0 +1,266 @@
+#include "remesh/editor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kFlat = 1e-7;        // a new face must have a larger Q: the sign of its area is then beyond doubt
+constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
+constexpr double kSizeWeight = 0.3;   // of the squared logarithm of the relative size in the cost
+constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
+constexpr double kPoorSlack = 2;      // and faces that replace bad ones the deviation by this
+
+}  // namespace
+
+Editor::Editor(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone, Sizing sizing,
+               const RemeshOptions& options)
+    : brep_(brep),
+      reference_(complex, brep, in_zone),
+      mesh_(complex, brep, in_zone),
+      sizing_(std::move(sizing)),
+      options_(options) {
+  for (std::size_t c = 0; c < brep.curves.size(); ++c) {
+    const CurveId id(c);
+    if (reference_.polyline(id).empty()) continue;
+    const auto& chain = brep.curves[c].chain;
+    for (std::size_t k = chain.size(); k-- > 0;) {  // backwards: a closed curve starts at arc length 0
+      LocalVertex v = mesh_.vertex(chain[k]);
+      if (v.dimension != Dimension::kCurve) continue;
+      v.curve = id, v.arc = reference_.arcs(id)[k], v.fixed = v.fixed || brep.curves[c].fixed;
+      mesh_.describe(chain[k], v);
+    }
+  }
+}
+
+double Editor::size(VertexId v) {
+  const LocalVertex& vertex = mesh_.vertex(v);
+  if (vertex.size > 0) return vertex.size;
+  double size = std::numeric_limits<double>::infinity();
+  if (vertex.curve.valid()) {
+    size = sizing_.on_curve(vertex.curve, vertex.position);
+  } else if (vertex.dimension == Dimension::kSheet) {
+    size = sizing_.in_sheet(vertex.sheet, vertex.position);
+  } else {
+    for (const FaceId f : mesh_.star(v))
+      if (mesh_.face(f).in_zone) size = std::min(size, sizing_.in_sheet(mesh_.face(f).sheet, vertex.position));
+  }
+  mesh_.set_size(v, size);
+  return size;
+}
+
+double Editor::face_cost(double q, double mean_edge, double wanted) const {
+  if (q <= kFlat) return std::numeric_limits<double>::infinity();
+  const double flatness = (1 - q) / (q + kFlatCost);
+  const double misfit = std::log(mean_edge / wanted);
+  return flatness * flatness + kSizeWeight * misfit * misfit;
+}
+
+double Editor::cost(FaceId f) {
+  const LocalFace& face = mesh_.face(f);
+  const double wanted = (size(face.v[0]) + size(face.v[1]) + size(face.v[2])) / 3;
+  return face_cost(std::max(face.q, 2 * kFlat), mean_edge_length(mesh_.corners(f)), wanted);
+}
+
+double Editor::cost(std::span<const FaceId> faces) {
+  double sum = 0;
+  for (const FaceId f : faces) sum += cost(f);
+  return sum;
+}
+
+double Editor::cost_with(VertexId v, Vec3 p) {
+  double sum = 0;
+  for (const FaceId f : mesh_.star(v)) {
+    const LocalFace& face = mesh_.face(f);
+    const std::size_t k = face.corner_of(v);
+    const VertexId a = face.v[(k + 1) % 3], b = face.v[(k + 2) % 3];
+    const Triangle t{p, mesh_.position(a), mesh_.position(b)};
+    sum += face_cost(mesh_.quality(face, v, p), mean_edge_length(t), (size(v) + size(a) + size(b)) / 3);
+  }
+  return sum;
+}
+
+double Editor::flatness_with(VertexId v, Vec3 p) {
+  double worst = 1;
+  for (const FaceId f : mesh_.star(v)) worst = std::min(worst, mesh_.quality(mesh_.face(f), v, p));
+  return worst <= kFlat ? std::numeric_limits<double>::infinity() : 1 - worst;
+}
+
+bool Editor::faces_right(const LocalFace& f) const { return mesh_.quality(f) > kFlat; }
+
+double Editor::slack(std::span<const FaceId> replaced) const {
+  for (const FaceId f : replaced)
+    if (mesh_.face(f).q < options_.min_quality) return kPoorSlack;
+  return 1;
+}
+
+bool Editor::lies_on_reference(const LocalFace& f, double slack) const {
+  if (mesh_.sheet(f.sheet).planar) return true;
+  const Triangle t{mesh_.position(f.v[0]), mesh_.position(f.v[1]), mesh_.position(f.v[2])};
+  FaceId hint;
+  for (const VertexId v : f.v)
+    if (mesh_.vertex(v).dimension == Dimension::kSheet) hint = mesh_.vertex(v).beneath;
+  const double share = slack * options_.max_deviation;
+  const Foot middle = reference_.project(f.sheet, centroid(t), hint);
+  if (middle.distance > share * mean_edge_length(t)) return false;
+  if (dot(unit_normal(t), reference_.normal(middle.face)) < kLeastCosine) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (f.curve[k].valid()) continue;
+    const Vec3 a = t[k], b = t[(k + 1) % 3];
+    if (reference_.project(f.sheet, midpoint(a, b), middle.face).distance > share * distance(a, b)) return false;
+  }
+  return true;
+}
+
+bool Editor::flip(VertexId a, VertexId b) {
+  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  if (faces.size() != 2) return false;
+  LocalFace left = mesh_.face(faces[0]), right = mesh_.face(faces[1]);
+  if (!left.in_zone || !right.in_zone || left.sheet != right.sheet) return false;
+  if (left.v[(left.corner_of(a) + 1) % 3] != b) std::swap(left, right);
+  const std::size_t i = left.corner_of(a), j = right.corner_of(b);  // left is a, b, c; right is b, a, d
+  if (left.curve[i].valid() || right.v[(j + 1) % 3] != a) return false;
+  const VertexId c = left.v[(i + 2) % 3], d = right.v[(j + 2) % 3];
+  if (c == d || mesh_.has_edge(c, d)) return false;
+
+  LocalFace first = left, second = right;
+  first.v = {c, a, d}, first.curve = {left.curve[(i + 2) % 3], right.curve[(j + 1) % 3], CurveId{}};
+  second.v = {d, b, c}, second.curve = {right.curve[(j + 2) % 3], left.curve[(i + 1) % 3], CurveId{}};
+  if (!mesh_.sheet(left.sheet).planar) {
+    const Vec3 normal = area_vector(mesh_.corners(faces[0])) + area_vector(mesh_.corners(faces[1]));
+    for (const LocalFace* f : {&first, &second}) {
+      const Triangle t{mesh_.position(f->v[0]), mesh_.position(f->v[1]), mesh_.position(f->v[2])};
+      if (signed_aspect_ratio(t, normal) <= kFlat) return false;
+    }
+  }
+  if (!faces_right(first) || !faces_right(second)) return false;
+  const double allowed = slack(faces);
+  if (!lies_on_reference(first, allowed) || !lies_on_reference(second, allowed)) return false;
+  for (const FaceId f : faces) mesh_.remove_face(f);
+  mesh_.add_face(first), mesh_.add_face(second);
+  return true;
+}
+
+bool Editor::flip_gains(VertexId a, VertexId b) {
+  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  if (faces.size() != 2) return false;
+  const LocalFace &left = mesh_.face(faces[0]), &right = mesh_.face(faces[1]);
+  if (!left.in_zone || !right.in_zone || left.sheet != right.sheet) return false;
+  const std::size_t i = left.corner_of(a);
+  const bool forward = left.v[(i + 1) % 3] == b;
+  const std::size_t edge = forward ? i : (i + 2) % 3;
+  if (left.curve[edge].valid()) return false;
+  const VertexId u = left.v[edge], v = left.v[(edge + 1) % 3], c = left.v[(edge + 2) % 3];
+  const VertexId d = right.v[(right.corner_of(v) + 2) % 3];
+  const auto cost_of = [&](VertexId x, VertexId y, VertexId z) {
+    LocalFace f = left;
+    f.v = {x, y, z};
+    return face_cost(mesh_.quality(f), (length(x, y) + length(y, z) + length(z, x)) / 3,
+                     (size(x) + size(y) + size(z)) / 3);
+  };
+  constexpr double kLeastGain = 1e-3;  // of the cost; keeps equal diagonals from swapping for ever
+  const double before = cost(faces);
+  return cost_of(c, u, d) + cost_of(d, v, c) < before * (1 - kLeastGain);
+}
+
+std::optional<Editor::Reach> Editor::reach(VertexId v) const {
+  const LocalVertex& at = mesh_.vertex(v);
+  const auto neighbours = mesh_.curve_neighbours(v);
+  if (!at.curve.valid() || !neighbours[0].valid() || mesh_.curve_at(v, neighbours[0]) != at.curve ||
+      mesh_.curve_at(v, neighbours[1]) != at.curve)
+    return std::nullopt;
+  const Curve& curve = reference_.curve(at.curve);
+  const double whole = reference_.length(at.curve);
+  const bool loop = curve.chain.front() == curve.chain.back();
+  // How far ahead a neighbour is, counted forwards; corners are the ends of the chain.
+  const auto ahead = [&](VertexId u) {
+    const LocalVertex& other = mesh_.vertex(u);
+    if (other.curve == at.curve) return other.arc >= at.arc || !loop ? other.arc - at.arc : other.arc + whole - at.arc;
+    if (loop) return whole - at.arc;
+    return u == curve.chain.front() ? -at.arc : whole - at.arc;
+  };
+  const double d0 = ahead(neighbours[0]), d1 = ahead(neighbours[1]);
+  const auto [before, after] =
+      (d0 < d1) == loop ? std::pair{neighbours[1], neighbours[0]} : std::pair{neighbours[0], neighbours[1]};
+  double from = ahead(before), to = ahead(after);
+  if (loop) from -= whole;
+  if (!(from < 0 && to > 0)) return std::nullopt;
+  return Reach{at.arc + from, at.arc + to, before, after};
+}
+
+bool Editor::splittable(std::span<const FaceId> faces) const {
+  return !faces.empty() && std::ranges::all_of(faces, [&](FaceId f) { return mesh_.face(f).in_zone; });
+}
+
+void Editor::split_faces(VertexId a, VertexId b, VertexId middle, std::span<const FaceId> faces) {
+  for (const FaceId f : faces) {
+    const LocalFace old = mesh_.face(f);
+    const std::size_t i = old.v[(old.corner_of(a) + 1) % 3] == b ? old.corner_of(a) : old.corner_of(b);
+    LocalFace first = old, second = old;
+    first.v[(i + 1) % 3] = middle, first.curve[(i + 1) % 3] = CurveId{};
+    second.v[i] = middle, second.curve[(i + 2) % 3] = CurveId{};
+    mesh_.remove_face(f);
+    mesh_.add_face(first), mesh_.add_face(second);
+  }
+}
+
+std::optional<VertexId> Editor::split_curve(VertexId a, VertexId b, CurveId curve, double arc) {
+  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  if (!splittable(faces)) return std::nullopt;
+  LocalVertex v;
+  v.position = reference_.point(curve, arc);
+  v.dimension = Dimension::kCurve, v.fixed = false, v.curve = curve, v.arc = reference_.wrapped(curve, arc);
+  const VertexId id = mesh_.add_vertex(v);
+  split_faces(a, b, id, faces);
+  return id;
+}
+
+std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
+  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  if (!splittable(faces)) return std::nullopt;
+  const Mark start = mark();
+  const CurveId curve = mesh_.curve_at(a, b);
+  std::optional<VertexId> id;
+  if (curve.valid()) {
+    if (brep_.curves[curve.value].fixed) return std::nullopt;
+    const std::optional<double> arc = middle_arc(a, b, curve);
+    if (!arc) return std::nullopt;
+    id = split_curve(a, b, curve, *arc);
+  } else {
+    const SheetId sheet = mesh_.face(faces[0]).sheet;
+    const Vec3 middle = midpoint(mesh_.position(a), mesh_.position(b));
+    LocalVertex v;
+    v.position = middle, v.dimension = Dimension::kSheet, v.fixed = false, v.sheet = sheet;
+    for (const VertexId end : {a, b})
+      if (mesh_.vertex(end).dimension == Dimension::kSheet) v.beneath = mesh_.vertex(end).beneath;
+    if (!mesh_.sheet(sheet).planar) {
+      const Foot foot = reference_.project(sheet, middle, v.beneath);
+      v.position = foot.point, v.beneath = foot.face;
+    }
+    id = mesh_.add_vertex(v);
+    split_faces(a, b, *id, faces);
+  }
+  // Off the old edge, a face can have turned over.
+  const Vec3 chord = midpoint(mesh_.position(a), mesh_.position(b));
+  for (const FaceId f : mesh_.star(*id))
+    if (!faces_right(mesh_.face(f)) || mesh_.quality(mesh_.face(f), *id, chord) <= kFlat) {
+      undo(start);
+      return std::nullopt;
+    }
+  return id;
+}
+
+std::optional<double> Editor::middle_arc(VertexId a, VertexId b, CurveId curve) const {
+  for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    if (mesh_.vertex(v).curve != curve) continue;
+    const auto span = reach(v);
+    if (!span) return std::nullopt;
+    return 0.5 * (mesh_.vertex(v).arc + (span->after == other ? span->to : span->from));
+  }
+  return 0.5 * reference_.length(curve);  // both ends are corners: the edge is the whole curve
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,89 @@
+// The local operations of the remesher. Each checks first and leaves a valid mesh or an unchanged one.
+#pragma once
+
+#include <optional>
+
+#include "remesh/local_mesh.hpp"
+#include "remesh/reference.hpp"
+#include "remesh/remesh.hpp"
+#include "remesh/sizing.hpp"
+
+namespace meshgraft {
+
+/// A mesh is valid when every curve edge has one face per side of each sheet, every other edge has
+/// two faces of one sheet, no two faces have the same corners, and each face faces like its sheet.
+class Editor {
+ public:
+  Editor(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone, Sizing sizing,
+         const RemeshOptions& options);
+
+  [[nodiscard]] const LocalMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Reference& reference() const { return reference_; }
+  [[nodiscard]] const RemeshOptions& options() const { return options_; }
+
+  /// Wanted edge length at a vertex; the mean of both at an edge.
+  double size(VertexId v);
+  double size(VertexId a, VertexId b) { return 0.5 * (size(a) + size(b)); }
+  [[nodiscard]] double length(VertexId a, VertexId b) const { return distance(mesh_.position(a), mesh_.position(b)); }
+
+  /// What a face costs: little if it is equilateral and of the wanted size, very much if flat. The
+  /// remesher lowers the sum of this.
+  double cost(FaceId f);
+  double cost(std::span<const FaceId> faces);
+
+  /// Replaces the edge a b between two faces of a sheet by the other diagonal.
+  bool flip(VertexId a, VertexId b);
+  /// Whether that would lower the cost.
+  bool flip_gains(VertexId a, VertexId b);
+  /// Removes a vertex of a sheet or of a curve and fills its star anew, as well as possible.
+  bool remove(VertexId v);
+  /// Puts a vertex in the middle of an edge (of the piece of its curve, if it lies on one).
+  std::optional<VertexId> split(VertexId a, VertexId b);
+  /// Puts a vertex at an arc length on the edge a b of a curve; the place must lie on that edge.
+  std::optional<VertexId> split_curve(VertexId a, VertexId b, CurveId curve, double arc);
+  /// Moves a vertex in its sheet or along its curve to where its faces cost least.
+  bool relax(VertexId v);
+  /// The same, but for the best worst face.
+  bool sharpen(VertexId v);
+
+  using Mark = LocalMesh::Mark;
+  [[nodiscard]] Mark mark() const { return mesh_.mark(); }
+  void undo(Mark to) { mesh_.undo(to); }
+  void forget() { mesh_.forget(); }
+
+  /// Arc lengths of the neighbours of a curve vertex on either side of its own, unwrapped.
+  struct Reach {
+    double from, to;
+    VertexId before, after;
+  };
+  [[nodiscard]] std::optional<Reach> reach(VertexId v) const;
+
+ private:
+  using Goal = double (Editor::*)(VertexId, Vec3);
+  double cost_with(VertexId v, Vec3 p);
+  double flatness_with(VertexId v, Vec3 p);
+  double face_cost(double q, double mean_edge, double wanted) const;
+  bool search(VertexId v, Goal goal);
+  bool search_in_sheet(VertexId v, Goal goal);
+  bool search_on_curve(VertexId v, Goal goal);
+  bool place(VertexId v, const LocalVertex& to);
+  bool fill(VertexId v, const Fan& fan, CurveId closing);
+  bool close_gap(const Fan& fan, CurveId closing);
+  [[nodiscard]] bool may_join_along_curve(VertexId v, const Reach& span, std::span<const Fan> fans) const;
+  void split_faces(VertexId a, VertexId b, VertexId middle, std::span<const FaceId> faces);
+  [[nodiscard]] std::optional<double> middle_arc(VertexId a, VertexId b, CurveId curve) const;
+  [[nodiscard]] bool splittable(std::span<const FaceId> faces) const;
+  [[nodiscard]] bool faces_right(const LocalFace& f) const;
+  /// Curved sheets: whether the face lies near enough to the reference and faces like it.
+  [[nodiscard]] bool lies_on_reference(const LocalFace& f, double slack) const;
+  [[nodiscard]] double slack(std::span<const FaceId> replaced) const;
+  [[nodiscard]] Vec3 centre_of_link(VertexId v) const;
+
+  const Brep& brep_;
+  Reference reference_;
+  LocalMesh mesh_;
+  Sizing sizing_;
+  RemeshOptions options_;
+};
+
+}  // namespace meshgraft

@@ -1,0 +1,122 @@
+// Moves of a vertex: a search without derivatives for the place where its faces are best.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/quality.hpp"
+#include "remesh/editor.hpp"
+#include "zone/ruler.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kFirstStep = 0.2;       // of the wanted edge length
+constexpr double kLastStep = 0.02;       // of the wanted edge length
+constexpr int kMostTrials = 40;          // places looked at in one search
+constexpr double kLeastGain = 1e-3;      // share by which a move must lower its goal
+constexpr double kSagittaSlack = 1.25;   // by which a chord may exceed the ruler's sagitta
+constexpr double kClosestOnCurve = 0.2;  // to a neighbour, share of the room between both
+
+}  // namespace
+
+bool Editor::relax(VertexId v) { return search(v, &Editor::cost_with); }
+bool Editor::sharpen(VertexId v) { return search(v, &Editor::flatness_with); }
+
+bool Editor::search(VertexId v, Goal goal) {
+  const LocalVertex& vertex = mesh_.vertex(v);
+  if (vertex.fixed || mesh_.star(v).empty()) return false;
+  return vertex.curve.valid() ? search_on_curve(v, goal) : search_in_sheet(v, goal);
+}
+
+/// Mean of the neighbours.
+Vec3 Editor::centre_of_link(VertexId v) const {
+  Vec3 sum;
+  double n = 0;
+  for (const FaceId f : mesh_.star(v)) {
+    const LocalFace& face = mesh_.face(f);
+    const std::size_t k = face.corner_of(v);
+    sum += mesh_.position(face.v[(k + 1) % 3]) + mesh_.position(face.v[(k + 2) % 3]);
+    n += 2;
+  }
+  return sum / n;
+}
+
+bool Editor::search_in_sheet(VertexId v, Goal goal) {
+  LocalVertex to = mesh_.vertex(v);
+  const Sheet& sheet = mesh_.sheet(to.sheet);
+  const Vec3 normal = sheet.planar ? sheet.normal : reference_.normal(to.beneath);
+  const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 e = normalized(cross(normal, helper)), f = cross(normal, e);
+  const double wanted = size(v);
+  const double before = (this->*goal)(v, to.position);
+  double best = before;
+  int n_trials = 0;
+  const auto attempt = [&](Vec3 p) {
+    ++n_trials;
+    Foot foot{p, to.beneath, 0};
+    if (sheet.planar) {
+      foot.point = p - dot(p - to.position, normal) * normal;
+    } else {
+      foot = reference_.project(to.sheet, p, to.beneath);
+    }
+    const double value = (this->*goal)(v, foot.point);
+    if (!(value < best)) return false;
+    best = value, to.position = foot.point, to.beneath = foot.face;
+    return true;
+  };
+  attempt(centre_of_link(v));
+  constexpr double kDiagonal = 0.70710678118654752;
+  bool turned = false;  // every other round looks along the diagonals
+  for (double step = kFirstStep * wanted; step > kLastStep * wanted && n_trials < kMostTrials; turned = !turned) {
+    const Vec3 a = step * (turned ? kDiagonal * (e + f) : e), b = step * (turned ? kDiagonal * (f - e) : f);
+    bool better = false;
+    for (const Vec3 d : {a, b, -a, -b}) better = attempt(to.position + d) || better;
+    if (!better) step *= 0.5;
+  }
+  if (!(best < before * (1 - kLeastGain)) && !(before == std::numeric_limits<double>::infinity() && best < before))
+    return false;
+  return place(v, to);
+}
+
+bool Editor::search_on_curve(VertexId v, Goal goal) {
+  const auto span = reach(v);
+  if (!span) return false;
+  LocalVertex to = mesh_.vertex(v);
+  const double margin = kClosestOnCurve * (span->to - span->from);
+  const double low = span->from + margin, high = span->to - margin;
+  const double wanted = size(v), before = (this->*goal)(v, to.position), start = to.arc;
+  double best = before, arc = start;
+  for (double step = kFirstStep * wanted; step > kLastStep * wanted;) {
+    bool better = false;
+    for (const double d : {step, -step}) {
+      const double trial = arc + d;
+      if (trial < low || trial > high) continue;
+      const double value = (this->*goal)(v, reference_.point(to.curve, trial));
+      if (value < best) best = value, arc = trial, better = true;
+    }
+    if (!better) step *= 0.5;
+  }
+  if (!(best < before * (1 - kLeastGain))) return false;
+  to.position = reference_.point(to.curve, arc);
+  to.arc = reference_.wrapped(to.curve, arc);
+  const double share = kSagittaSlack * RulerOptions{}.max_sagitta;
+  if (reference_.sagitta(to.curve, span->from, arc) > share * distance(mesh_.position(span->before), to.position) ||
+      reference_.sagitta(to.curve, arc, span->to) > share * distance(mesh_.position(span->after), to.position))
+    return false;
+  return place(v, to);
+}
+
+bool Editor::place(VertexId v, const LocalVertex& to) {
+  const double allowed = slack(mesh_.star(v));
+  const Mark start = mark();
+  LocalVertex placed = to;
+  placed.size = 0;
+  mesh_.set_vertex(v, placed);
+  for (const FaceId f : mesh_.star(v))
+    if (!lies_on_reference(mesh_.face(f), allowed)) {
+      undo(start);
+      return false;
+    }
+  return true;
+}
+
+}  // namespace meshgraft

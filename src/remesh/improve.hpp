@@ -1,0 +1,19 @@
+// The steps of the remesher that work on the inside of the sheets.
+#pragma once
+
+#include "remesh/editor.hpp"
+
+namespace meshgraft {
+
+/// Removes vertices that stand too close for the wanted size and splits edges too long for it.
+void fit_to_size(Editor& editor);
+
+/// Flips edges and moves vertices where that lowers the cost, `sweeps` times. Vertices of the
+/// inputs whose faces are all as they were, and good, are left alone.
+void relax_all(Editor& editor, int sweeps);
+
+/// Mends faces with Q < `target`, worst first, by whatever local operation helps most; stops when
+/// none is left or nothing helps.
+void mend(Editor& editor, double target);
+
+}  // namespace meshgraft

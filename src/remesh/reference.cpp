@@ -1,0 +1,96 @@
+#include "remesh/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest.hpp"
+#include "zone/ruler.hpp"
+
+namespace meshgraft {
+
+Reference::Reference(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone)
+    : complex_(complex),
+      brep_(brep),
+      faces_(brep.sheets.size()),
+      trees_(brep.sheets.size()),
+      points_(brep.curves.size()),
+      arcs_(brep.curves.size()) {
+  std::vector<std::uint8_t> near(complex.n_vertices(), 0), curve_used(brep.curves.size(), 0);
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    if (!in_zone[f]) continue;
+    for (const VertexId v : complex.face[f]) near[v.value] = 1;
+    for (const CurveId c : brep.curve_of_edge[f])
+      if (c.valid()) curve_used[c.value] = 1;
+  }
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    if (std::ranges::any_of(complex.face[f], [&](VertexId v) { return near[v.value] != 0; }))
+      faces_[brep.sheet_of_face[f].value].emplace_back(f);
+  for (std::size_t s = 0; s < faces_.size(); ++s) {
+    std::vector<Box> boxes(faces_[s].size());
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+      for (const Vec3 p : complex.corners(faces_[s][k])) boxes[k].add(p);
+    trees_[s] = BoxTree(boxes);
+  }
+  for (std::size_t c = 0; c < brep.curves.size(); ++c) {
+    if (!curve_used[c]) continue;
+    for (const VertexId v : brep.curves[c].chain) points_[c].push_back(complex.position[v.value]);
+    arcs_[c] = arc_lengths(points_[c]);
+  }
+}
+
+Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
+  const auto& faces = faces_[sheet.value];
+  const auto squared_distance = [&](FaceId f) {
+    return squared_norm(p - closest_on_triangle(p, complex_.corners(f)).point);
+  };
+  FaceId face = hint;
+  double limit = std::numeric_limits<double>::infinity();
+  if (hint.valid() && brep_.sheet_of_face[hint.value] == sheet) limit = squared_distance(hint);
+  const auto nearest = trees_[sheet.value].nearest(
+      p, [&](std::uint32_t i) { return squared_distance(faces[i]); }, limit);
+  if (nearest.found()) face = faces[nearest.item];
+  const Vec3 point = closest_on_triangle(p, complex_.corners(face)).point;
+  return {point, face, distance(p, point)};
+}
+
+Vec3 Reference::normal(FaceId f) const { return unit_normal(complex_.corners(f)); }
+
+double Reference::wrapped(CurveId c, double arc) const {
+  const double whole = length(c);
+  if (arc > whole) return arc - whole;
+  return arc < 0 ? arc + whole : arc;
+}
+
+Vec3 Reference::point(CurveId c, double arc) const {
+  return point_at(points_[c.value], arcs_[c.value], wrapped(c, arc));
+}
+
+std::size_t Reference::edge(CurveId c, double arc) const {
+  const auto& arcs = arcs_[c.value];
+  const auto after = std::ranges::upper_bound(arcs, wrapped(c, arc));
+  const auto k = static_cast<std::size_t>(after - arcs.begin());
+  return std::clamp<std::size_t>(k, 1, arcs.size() - 1) - 1;
+}
+
+double Reference::sagitta(CurveId c, double from, double to) const {
+  const auto& points = points_[c.value];
+  const auto& arcs = arcs_[c.value];
+  const Vec3 a = point(c, from), b = point(c, to);
+  double worst = 0;
+  const auto measure = [&](double low, double high) {
+    auto k = static_cast<std::size_t>(std::ranges::upper_bound(arcs, low) - arcs.begin());
+    for (; k < arcs.size() && arcs[k] < high; ++k)
+      worst = std::max(worst, distance(points[k], closest_on_segment(points[k], a, b).point));
+  };
+  const double whole = arcs.back();
+  if (from < 0) {
+    measure(from + whole, 2 * whole), measure(-whole, to);
+  } else if (to > whole) {
+    measure(from, 2 * whole), measure(-whole, to - whole);
+  } else {
+    measure(from, to);
+  }
+  return worst;
+}
+
+}  // namespace meshgraft

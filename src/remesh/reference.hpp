@@ -1,0 +1,54 @@
+// The surface and the curves as they were before remeshing: where new vertices must lie.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "geometry/box_tree.hpp"
+#include "zone/brep.hpp"
+
+namespace meshgraft {
+
+/// The point of the reference surface nearest to a given one.
+struct Foot {
+  Vec3 point;
+  FaceId face;
+  double distance = 0;
+};
+
+/// Faces of the zone and those around it, by sheet, and the curves of the zone. Keeps references to
+/// complex and brep.
+class Reference {
+ public:
+  Reference(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone);
+
+  /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near.
+  [[nodiscard]] Foot project(SheetId sheet, Vec3 p, FaceId hint) const;
+  [[nodiscard]] Vec3 normal(FaceId f) const;  // unit
+
+  [[nodiscard]] const Curve& curve(CurveId c) const { return brep_.curves[c.value]; }
+  [[nodiscard]] std::span<const Vec3> polyline(CurveId c) const { return points_[c.value]; }
+  /// Arc lengths of the points of the polyline.
+  [[nodiscard]] std::span<const double> arcs(CurveId c) const { return arcs_[c.value]; }
+  [[nodiscard]] double length(CurveId c) const { return arcs_[c.value].back(); }
+  /// Position on the curve; arc lengths outside [0, length] wrap around.
+  [[nodiscard]] Vec3 point(CurveId c, double arc) const;
+  /// Number of the edge of the chain that holds the arc length.
+  [[nodiscard]] std::size_t edge(CurveId c, double arc) const;
+  [[nodiscard]] double wrapped(CurveId c, double arc) const;
+  /// Largest distance of the curve between two arc lengths (from < to, may exceed the length) from
+  /// the chord between its ends.
+  [[nodiscard]] double sagitta(CurveId c, double from, double to) const;
+
+ private:
+  const Complex& complex_;
+  const Brep& brep_;
+  std::vector<std::vector<FaceId>> faces_;  // by sheet, ascending
+  std::vector<BoxTree> trees_;              // by sheet
+  std::vector<std::vector<Vec3>> points_;   // by curve; empty if no edge of it is in the zone
+  std::vector<std::vector<double>> arcs_;
+};
+
+}  // namespace meshgraft

@@ -1,0 +1,40 @@
+#include "remesh/remesh.hpp"
+
+#include "remesh/editor.hpp"
+#include "remesh/improve.hpp"
+#include "remesh/resample.hpp"
+#include "remesh/result.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr int kSizePasses = 3;        // of removing, splitting, flipping and moving
+constexpr int kSweeps = 2;            // of moving in each of them
+constexpr double kComfortable = 0.7;  // Q below which a face is worth mending for the sake of the mean
+constexpr double kMargin = 0.05;      // above the wanted Q, so that rounding in files cannot spoil it
+
+}  // namespace
+
+Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
+                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
+  Editor editor(complex, brep, in_zone, sizing, options);
+  resample_curves(editor, complex, brep, sizing);
+  editor.forget();
+  for (int pass = 0; pass < kSizePasses; ++pass) {
+    fit_to_size(editor);
+    relax_all(editor, kSweeps);
+  }
+  mend(editor, kComfortable);
+  relax_all(editor, kSweeps);
+  mend(editor, options.min_quality + kMargin);
+  return to_remeshed(editor, complex, brep, in_zone, groups);
+}
+
+Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
+                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
+  const Sizing sizing{[&](SheetId s, Vec3 p) { return size.at(s, p); },
+                      [&](CurveId c, Vec3 p) { return size.on_curve(c, p); }};
+  return remesh(complex, brep, sizing, in_zone, groups, options);
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,224 @@
+#include "remesh/result.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+class Writer {
+ public:
+  Writer(Editor& editor, const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone,
+         GroupSets& groups)
+      : editor_(editor), complex_(complex), brep_(brep), in_zone_(in_zone), groups_(groups) {}
+
+  Remeshed run() {
+    write_lines_first();
+    number_vertices();
+    for (std::size_t v = 0; v < mesh().n_vertices(); ++v)
+      if (id_[v].valid()) write_vertex(VertexId(v));
+    write_faces();
+    for (Complex::Line& line : lines_) {
+      for (VertexId& end : line.ends) end = id_[end.value];
+      out().lines.push_back(line);
+    }
+    for (const auto& e : complex_.fixed_edges) out().fixed_edges.push_back({id_[e[0].value], id_[e[1].value]});
+    mark_junction();
+    measure_curves();
+    std::ranges::sort(result_.bad,
+                      [](const BadFace& a, const BadFace& b) { return a.q < b.q || (a.q == b.q && a.face < b.face); });
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const LocalMesh& mesh() const { return editor_.mesh(); }
+  Complex& out() { return result_.complex; }
+
+  /// An edge of a resampled curve, from the smaller to the larger arc length.
+  struct CurveEdge {
+    double from, to;
+    VertexId a, b;
+  };
+
+  /// Edges of the curve that are in the zone, ascending by arc length.
+  [[nodiscard]] std::vector<CurveEdge> edges_of(CurveId c) const {
+    std::vector<CurveEdge> edges;
+    for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
+      const LocalFace& f = mesh().face(FaceId(k));
+      if (!f.alive || !f.in_zone) continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (f.curve[i] == c) edges.push_back(with_arcs(c, f.v[i], f.v[(i + 1) % 3]));
+    }
+    std::ranges::sort(edges, [](const CurveEdge& x, const CurveEdge& y) {
+      return std::tie(x.from, x.to, x.a, x.b) < std::tie(y.from, y.to, y.a, y.b);
+    });
+    const auto repeated = std::ranges::unique(edges, [](const CurveEdge& x, const CurveEdge& y) {
+      return x.from == y.from && x.to == y.to && x.a == y.a && x.b == y.b;
+    });
+    edges.erase(repeated.begin(), repeated.end());
+    return edges;
+  }
+
+  [[nodiscard]] CurveEdge with_arcs(CurveId c, VertexId a, VertexId b) const {
+    const Curve& curve = brep_.curves[c.value];
+    const double whole = editor_.reference().length(c);
+    const bool loop = curve.chain.front() == curve.chain.back();
+    const bool a_slides = mesh().vertex(a).curve == c, b_slides = mesh().vertex(b).curve == c;
+    const auto corner = [&](VertexId v) { return !loop && v == curve.chain.back() ? whole : 0.0; };
+    double from = a_slides ? mesh().vertex(a).arc : corner(a);
+    double to = b_slides ? mesh().vertex(b).arc : corner(b);
+    if (loop) {  // the shorter way round; between a corner and its neighbour that is unique as well
+      if (to - from > 0.5 * whole) from += whole;
+      if (from - to > 0.5 * whole) to += whole;
+    }
+    return from <= to ? CurveEdge{from, to, a, b} : CurveEdge{to, from, b, a};
+  }
+
+  /// 1D elements: kept where their edge is still there, made anew on the other edges of a curve.
+  void write_lines_first() {
+    std::vector<std::uint8_t> gone(complex_.lines.size(), 0);
+    std::vector<Complex::Line> made;
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      const Curve& curve = brep_.curves[c];
+      if (curve.lines_per_edge == 0 || editor_.reference().polyline(CurveId(c)).empty()) continue;
+      const std::size_t n = curve.lines_per_edge;
+      for (std::size_t e = 0; e + 1 < curve.chain.size(); ++e) {
+        if (mesh().has_edge(curve.chain[e], curve.chain[e + 1])) continue;
+        for (std::size_t k = 0; k < n; ++k) gone[curve.lines[e * n + k]] = 1;
+      }
+      for (const CurveEdge& edge : edges_of(CurveId(c))) {
+        const std::size_t e = editor_.reference().edge(CurveId(c), 0.5 * (edge.from + edge.to));
+        const VertexId first = curve.chain[e], second = curve.chain[e + 1];
+        if ((edge.a == first && edge.b == second) || (edge.a == second && edge.b == first)) continue;
+        for (std::size_t k = 0; k < n; ++k) {
+          Complex::Line line = complex_.lines[curve.lines[e * n + k]];
+          const bool forward = line.ends[0] == first;
+          line.ends = forward ? std::array{edge.a, edge.b} : std::array{edge.b, edge.a};
+          made.push_back(line);
+        }
+      }
+    }
+    for (std::size_t k = 0; k < complex_.lines.size(); ++k)
+      if (!gone[k]) lines_.push_back(complex_.lines[k]);
+    lines_.insert(lines_.end(), made.begin(), made.end());
+  }
+
+  void number_vertices() {
+    std::vector<std::uint8_t> used(mesh().n_vertices(), 0);
+    for (std::size_t v = 0; v < complex_.n_vertices(); ++v) used[v] = complex_.state[v] != VertexState::kOpen;
+    for (std::size_t f = 0; f < mesh().n_faces(); ++f)
+      if (mesh().face(FaceId(f)).alive)
+        for (const VertexId v : mesh().face(FaceId(f)).v) used[v.value] = 1;
+    for (const Complex::Line& line : lines_)
+      for (const VertexId v : line.ends) used[v.value] = 1;
+    id_.resize(mesh().n_vertices());
+    std::size_t n = 0;
+    for (std::size_t v = 0; v < used.size(); ++v)
+      if (used[v]) id_[v] = VertexId(n++);
+  }
+
+  void write_vertex(VertexId v) {
+    const LocalVertex& vertex = mesh().vertex(v);
+    if (!mesh().is_new(v) && !vertex.moved) {
+      out().add_vertex(complex_.position[v.value], complex_.node[v.value], complex_.state[v.value],
+                       complex_.vertex_groups[v.value]);
+      return;
+    }
+    out().add_vertex(vertex.position, NodeRef{}, VertexState::kOpen, groups_beneath(vertex));
+  }
+
+  GroupSetId groups_beneath(const LocalVertex& v) {
+    const auto& of = complex_.vertex_groups;
+    if (v.curve.valid()) {
+      const auto& chain = brep_.curves[v.curve.value].chain;
+      const std::size_t e = editor_.reference().edge(v.curve, v.arc);
+      return groups_.intersect(of[chain[e].value], of[chain[e + 1].value]);
+    }
+    const auto& face = complex_.face[editor_.reference().project(v.sheet, v.position, v.beneath).face.value];
+    return groups_.intersect(of[face[0].value], groups_.intersect(of[face[1].value], of[face[2].value]));
+  }
+
+  void write_faces() {
+    for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
+      const FaceId f(k);
+      const LocalFace& face = mesh().face(f);
+      if (!face.alive) continue;
+      const std::array<VertexId, 3> v{id_[face.v[0].value], id_[face.v[1].value], id_[face.v[2].value]};
+      const FaceId id = out().add_face(v, complex_, is_changed(f) ? parent_beneath(f) : f);
+      result_.in_zone.push_back(mesh().is_new(f) ? 1 : in_zone_[k]);
+      if (face.in_zone && face.q < editor_.options().min_quality)
+        result_.bad.push_back({id, face.q, cause_of(editor_, f)});
+    }
+  }
+
+  [[nodiscard]] bool is_changed(FaceId f) const {
+    return mesh().is_new(f) ||
+           std::ranges::any_of(mesh().face(f).v, [&](VertexId v) { return mesh().vertex(v).moved; });
+  }
+
+  /// The face of the complex beneath the centroid; how far off the new face lies is noted.
+  FaceId parent_beneath(FaceId f) {
+    const LocalFace& face = mesh().face(f);
+    const Triangle t = mesh().corners(f);
+    FaceId hint;
+    for (const VertexId v : face.v)
+      if (mesh().vertex(v).dimension == Dimension::kSheet) hint = mesh().vertex(v).beneath;
+    const Foot foot = editor_.reference().project(face.sheet, centroid(t), hint);
+    note(foot.distance, mean_edge_length(t), centroid(t));
+    if (!mesh().sheet(face.sheet).planar)
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (face.curve[k].valid()) continue;
+        const Vec3 p = midpoint(t[k], t[(k + 1) % 3]);
+        note(editor_.reference().project(face.sheet, p, foot.face).distance, distance(t[k], t[(k + 1) % 3]), p);
+      }
+    return foot.face;
+  }
+
+  void note(double deviation, double length, Vec3 at) {
+    result_.max_deviation_relative = std::max(result_.max_deviation_relative, deviation / length);
+    if (deviation <= result_.max_deviation) return;
+    result_.max_deviation = deviation, result_.deviation_at = at;
+  }
+
+  void mark_junction() {
+    result_.on_junction.assign(out().n_vertices(), 0);
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      if (!brep_.curves[c].junction) continue;
+      for (const VertexId v : brep_.curves[c].chain)
+        if (id_[v.value].valid()) result_.on_junction[id_[v.value].value] = 1;
+    }
+    for (std::size_t v = 0; v < mesh().n_vertices(); ++v) {
+      const CurveId c = mesh().vertex(VertexId(v)).curve;
+      if (c.valid() && brep_.curves[c.value].junction && id_[v].valid()) result_.on_junction[id_[v].value] = 1;
+    }
+  }
+
+  void measure_curves() {
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
+      if (editor_.reference().polyline(CurveId(c)).empty()) continue;
+      for (const CurveEdge& e : edges_of(CurveId(c)))
+        note(editor_.reference().sagitta(CurveId(c), e.from, e.to), editor_.length(e.a, e.b),
+             midpoint(mesh().position(e.a), mesh().position(e.b)));
+    }
+  }
+
+  Editor& editor_;
+  const Complex& complex_;
+  const Brep& brep_;
+  const std::vector<std::uint8_t>& in_zone_;
+  GroupSets& groups_;
+  std::vector<Complex::Line> lines_;  // with vertices of the working mesh
+  std::vector<VertexId> id_;          // by vertex of the working mesh, in the result
+  Remeshed result_;
+};
+
+}  // namespace
+
+Remeshed to_remeshed(Editor& editor, const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone,
+                     GroupSets& groups) {
+  return Writer(editor, complex, brep, in_zone, groups).run();
+}
+
+}  // namespace meshgraft
