@@ -18,14 +18,21 @@ struct Zone {
 };
 
 /// The faces to remesh: neighbourhoods 1..N of the touched faces, where the first neighbourhood is
-/// the touched faces and the next one all faces with a node of the previous. N is `bandwidth`, or
-/// the automatic rule of 5.4, enlarged so that the change of size fits in (beyond the paper).
-/// No face with a kFrozen vertex is ever in the zone.
+/// the touched faces and the next one all faces of the same mesh with a node of the previous (across
+/// T-lines too). N is `bandwidth`, or automatic, mesh by mesh:
+///
+///   N = round(max(l1a, l2a) / min(l1a, l2a)) on the finer mesh, 1 on the coarser (paper 5.4);
+///   at least 2: departs from the second rounding rule of 5.4, which gives 1 or 2 where the meshes are alike;
+///   and around each touched face so many that the change of size from l_a to its own, by `gradation`
+///   per length, fits in, plus one (beyond the paper).
+///
+/// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
+/// and never if one of them has a kFrozen vertex.
 [[nodiscard]] Zone neighbourhoods(const Corefined& corefined, const Brep& brep, const SizeField& size,
                                   std::optional<int> bandwidth);
 
-/// Grows the zone by one neighbourhood around each of `places`, at most to `limit` neighbourhoods from the
-/// junction. Returns whether anything was added.
+/// Grows the zone by one neighbourhood around each of `places`, where the zone ends nearest to it, at most
+/// to `limit` neighbourhoods from the junction. Returns whether anything was added.
 bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places, int limit);
 
 }  // namespace meshgraft

@@ -1,0 +1,69 @@
+#include "zone/input_faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+
+InputFaces::InputFaces(const Corefined& corefined)
+    : complex_(corefined.complex),
+      parents_(complex_),
+      faces_at_(complex_),
+      touched_(parents_.size(), 0),
+      frozen_(parents_.size(), 0) {
+  for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+    const std::uint32_t i = parents_.of_face[f];
+    if (corefined.touched[f]) touched_[i] = 1;
+    for (const VertexId v : complex_.face[f])
+      if (complex_.state[v.value] == VertexState::kFrozen) frozen_[i] = 1;
+  }
+}
+
+double InputFaces::mean_edge_length(std::uint32_t i) const {
+  if (pieces(i).size() == 1) return meshgraft::mean_edge_length(complex_.corners(pieces(i).front()));
+  // The contour of the pieces: edges that only one of them has.
+  std::vector<std::array<VertexId, 2>> edges;
+  for (const FaceId f : pieces(i))
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(complex_.face[f.value][k], complex_.face[f.value][(k + 1) % 3]);
+      edges.push_back({a, b});
+    }
+  std::ranges::sort(edges);
+  double perimeter = 0;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const bool alone = (k == 0 || edges[k - 1] != edges[k]) && (k + 1 == edges.size() || edges[k + 1] != edges[k]);
+    if (alone) perimeter += distance(complex_.position[edges[k][0].value], complex_.position[edges[k][1].value]);
+  }
+  return perimeter / 3;
+}
+
+Vec3 InputFaces::centre(std::uint32_t i) const {
+  Vec3 sum;
+  double weight = 0;
+  for (const FaceId f : pieces(i)) {
+    const Triangle t = complex_.corners(f);
+    const double w = area(t);
+    sum += w * centroid(t), weight += w;
+  }
+  return weight > 0 ? sum / weight : complex_.corners(pieces(i).front())[0];
+}
+
+std::vector<int> InputFaces::rings(int last) const {
+  std::vector<int> ring(size(), 0);
+  std::vector<std::uint32_t> front, next;
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (touched(i)) ring[i] = 1, front.push_back(i);
+  for (int k = 2; k <= last && !front.empty(); ++k) {
+    for (const std::uint32_t i : front)
+      each_neighbour(i, [&](std::uint32_t j) {
+        if (ring[j] == 0) ring[j] = k, next.push_back(j);
+      });
+    front = std::exchange(next, {});
+  }
+  return ring;
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,49 @@
+// The input faces of a corefined complex and which of them are neighbours.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "intersect/corefine.hpp"
+#include "zone/edge_table.hpp"
+#include "zone/parents.hpp"
+
+namespace meshgraft {
+
+/// Input faces by the dense number of Parents.
+class InputFaces {
+ public:
+  explicit InputFaces(const Corefined& corefined);
+
+  [[nodiscard]] std::size_t size() const { return parents_.size(); }
+  [[nodiscard]] std::uint32_t of(FaceId f) const { return parents_.of_face[f.value]; }
+  [[nodiscard]] std::span<const FaceId> pieces(std::uint32_t i) const { return parents_.faces_of(i); }
+  [[nodiscard]] std::uint32_t component(std::uint32_t i) const { return complex_.component[pieces(i).front().value]; }
+  [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
+  /// A vertex of it is kFrozen.
+  [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
+  [[nodiscard]] double mean_edge_length(std::uint32_t i) const;
+  [[nodiscard]] Vec3 centre(std::uint32_t i) const;
+
+  /// Calls f(j) for every j of the same component with a vertex of i, with repeats.
+  template <class F>
+  void each_neighbour(std::uint32_t i, F&& f) const {
+    for (const FaceId piece : pieces(i))
+      for (const VertexId v : complex_.face[piece.value])
+        for (const FaceId g : faces_at_[v])
+          if (complex_.component[g.value] == component(i)) f(of(g));
+  }
+
+  /// Number of the neighbourhood each is in: 1 for touched ones; 0 for those beyond `last`.
+  [[nodiscard]] std::vector<int> rings(int last) const;
+
+ private:
+  const Complex& complex_;
+  Parents parents_;
+  VertexFaces faces_at_;
+  std::vector<std::uint8_t> touched_, frozen_;
+};
+
+}  // namespace meshgraft

@@ -1,0 +1,172 @@
+#include "zone/neighbourhoods.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+#include "zone/input_faces.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr int kLeastAutomatic = 2;  // room for one row of new nodes on each side of the line
+
+std::size_t n_components(const Complex& complex) {
+  std::uint32_t last = 0;
+  for (const std::uint32_t c : complex.component) last = std::max(last, c);
+  return complex.component.empty() ? 0 : last + 1;
+}
+
+/// N of paper 5.4, by component.
+std::vector<int> automatic(const Corefined& corefined, const InputFaces& inputs) {
+  const std::size_t n = n_components(corefined.complex);
+  std::vector<double> sum(n, 0), count(n, 0);
+  for (std::uint32_t i = 0; i < inputs.size(); ++i)
+    if (inputs.touched(i)) sum[inputs.component(i)] += inputs.mean_edge_length(i), count[inputs.component(i)] += 1;
+  std::vector<int> result(n, kLeastAutomatic);
+  for (const auto& [a, b] : corefined.met) {
+    if (count[a] == 0 || count[b] == 0) continue;
+    const double la = sum[a] / count[a], lb = sum[b] / count[b];  // l1a and l2a
+    const std::uint32_t finer = la <= lb ? a : b;
+    result[finer] = std::max(result[finer], static_cast<int>(std::lround(std::max(la, lb) / std::min(la, lb))));
+  }
+  return result;
+}
+
+/// Neighbourhoods in which the size can change from l_a to the own size around a touched face.
+int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size) {
+  double sum = 0;
+  int count = 0;
+  inputs.each_neighbour(i, [&](std::uint32_t j) { sum += inputs.mean_edge_length(j), ++count; });
+  const double own = sum / count, junction = size.junction_size(inputs.centre(i));
+  if (!std::isfinite(junction)) return 1;
+  return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / own)) + 1;
+}
+
+/// Spreads the neighbourhoods still to take from each input face to its neighbours, most first.
+void spread(std::vector<int>& left, const InputFaces& inputs) {
+  const int most = left.empty() ? 0 : *std::ranges::max_element(left);
+  std::vector<std::vector<std::uint32_t>> by_left(static_cast<std::size_t>(most) + 1);
+  for (std::uint32_t i = 0; i < left.size(); ++i) by_left[static_cast<std::size_t>(left[i])].push_back(i);
+  for (int k = most; k > 1; --k)
+    for (const std::uint32_t i : by_left[static_cast<std::size_t>(k)]) {
+      if (left[i] != k) continue;
+      inputs.each_neighbour(i, [&](std::uint32_t j) {
+        if (left[j] < k - 1) left[j] = k - 1, by_left[static_cast<std::size_t>(k - 1)].push_back(j);
+      });
+    }
+}
+
+/// Nearest face of the zone, by component.
+class ZoneFaces {
+ public:
+  ZoneFaces(const Complex& complex, const std::vector<std::uint8_t>& in_zone) : complex_(complex) {
+    std::vector<std::vector<Box>> boxes(n_components(complex));
+    faces_.resize(boxes.size());
+    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+      if (!in_zone[f]) continue;
+      faces_[complex.component[f]].emplace_back(f);
+      Box& box = boxes[complex.component[f]].emplace_back();
+      for (const Vec3 p : complex.corners(FaceId(f))) box.add(p);
+    }
+    for (const auto& b : boxes) trees_.emplace_back(b);
+  }
+
+  struct Nearest {
+    FaceId face;
+    double distance = 0;
+  };
+  [[nodiscard]] std::vector<Nearest> by_component(Vec3 p) const {
+    std::vector<Nearest> result;
+    for (std::size_t c = 0; c < trees_.size(); ++c) {
+      const auto found = trees_[c].nearest(p, [&](std::uint32_t k) {
+        return squared_norm(p - closest_on_triangle(p, complex_.corners(faces_[c][k])).point);
+      });
+      if (found.found()) result.push_back({faces_[c][found.item], std::sqrt(found.squared_distance)});
+    }
+    return result;
+  }
+
+ private:
+  const Complex& complex_;
+  std::vector<std::vector<FaceId>> faces_;  // by component
+  std::vector<BoxTree> trees_;
+};
+
+/// Input faces of the first neighbourhood around `start` that has one that may be added.
+std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces& inputs, const std::vector<int>& ring,
+                                          const std::vector<std::uint8_t>& taken, int limit) {
+  std::vector<std::uint8_t> seen(inputs.size(), 0);
+  std::vector<std::uint32_t> front{start}, next, result;
+  seen[start] = 1;
+  for (int k = 0; k < limit && result.empty() && !front.empty(); ++k) {
+    for (const std::uint32_t i : front)
+      inputs.each_neighbour(i, [&](std::uint32_t j) {
+        if (std::exchange(seen[j], 1)) return;
+        if (taken[j])
+          next.push_back(j);
+        else if (ring[j] > 0 && !inputs.frozen(j))
+          result.push_back(j);
+      });
+    front = std::exchange(next, {});
+  }
+  return result;
+}
+
+}  // namespace
+
+Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& size, std::optional<int> bandwidth) {
+  const InputFaces inputs(corefined);
+  std::vector<int> least;
+  if (!bandwidth) least = automatic(corefined, inputs);
+  Zone zone;
+  zone.bandwidth.assign(n_components(corefined.complex), 0);
+  std::vector<int> left(inputs.size(), 0);  // by input face: neighbourhoods to take, itself counted
+  for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+    if (!inputs.touched(i)) continue;
+    const std::uint32_t c = inputs.component(i);
+    left[i] = bandwidth ? *bandwidth : std::max(least[c], transition(inputs, i, size));
+    zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
+  }
+  spread(left, inputs);
+  zone.in_zone.assign(corefined.complex.n_faces(), 0);
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
+    const std::uint32_t i = inputs.of(FaceId(f));
+    zone.in_zone[f] = left[i] > 0 && !inputs.frozen(i) ? 1 : 0;
+  }
+  return zone;
+}
+
+bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places, int limit) {
+  const InputFaces inputs(corefined);
+  const std::vector<int> ring = inputs.rings(limit);
+  const ZoneFaces zone_faces(corefined.complex, zone.in_zone);
+  std::vector<std::uint8_t> taken(inputs.size(), 0);
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+    if (zone.in_zone[f]) taken[inputs.of(FaceId(f))] = 1;
+
+  std::vector<std::uint32_t> more;
+  for (const Vec3 p : places) {
+    const auto nearest = zone_faces.by_component(p);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& near : nearest) least = std::min(least, near.distance);
+    for (const auto& near : nearest) {
+      // A place on the junction concerns all meshes there.
+      const std::uint32_t i = inputs.of(near.face);
+      if (near.distance > least + 0.5 * inputs.mean_edge_length(i)) continue;
+      const auto around = addable_around(i, inputs, ring, taken, limit);
+      more.insert(more.end(), around.begin(), around.end());
+    }
+  }
+  for (const std::uint32_t i : more) {
+    for (const FaceId f : inputs.pieces(i)) zone.in_zone[f.value] = 1;
+    int& bandwidth = zone.bandwidth[inputs.component(i)];
+    bandwidth = std::max(bandwidth, ring[i]);
+  }
+  return !more.empty();
+}
+
+}  // namespace meshgraft
