@@ -89,7 +89,7 @@ class Canvas {
         std::uint32_t red = 0, green = 0, blue = 0;
         for (std::uint32_t j = 0; j < kSamples; ++j)
           for (std::uint32_t i = 0; i < kSamples; ++i) {
-            const Colour& c = colour_[std::size_t{y * kSamples + j} * width_ + x * kSamples + i];
+            const Colour& c = colour_[(std::size_t{y} * kSamples + j) * width_ + std::size_t{x} * kSamples + i];
             red += c.red, green += c.green, blue += c.blue;
           }
         const auto mean = [](std::uint32_t sum) { return static_cast<std::uint8_t>(sum / (kSamples * kSamples)); };
