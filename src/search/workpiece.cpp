@@ -1,0 +1,285 @@
+#include "search/workpiece.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "geometry/quality.hpp"
+#include "search/blocks.hpp"
+#include "search/region.hpp"
+
+namespace meshgraft {
+namespace {
+
+double longest_edge(const Triangle& t) {
+  return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+}
+
+Region region_around(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
+                     double reach) {
+  std::vector<Reach> reaches;
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    for (const ElementId f : candidates[k]) {
+      const Triangle t = inputs[k]->corners(f);
+      Reach r;
+      for (const Vec3 p : t) r.box.add(p);
+      r.distance = reach * longest_edge(t);
+      reaches.push_back(r);
+    }
+  return Region(reaches);
+}
+
+/// A set of positions below n.
+class Bits {
+ public:
+  explicit Bits(std::size_t n) : words_((n + 63) / 64) {}
+  [[nodiscard]] bool operator[](std::size_t i) const { return words_[i / 64] >> (i % 64) & 1; }
+  void set(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
+  /// Calls f(i) for each position in the set, ascending.
+  template <class F>
+  void each(F&& f) const {
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      for (std::uint64_t rest = words_[w]; rest != 0; rest &= rest - 1)
+        f(64 * w + static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+
+  /// To be called before rank(), once the set is complete.
+  void count() {
+    before_.assign(words_.size(), 0);
+    for (std::size_t w = 1; w < words_.size(); ++w)
+      before_[w] = before_[w - 1] + static_cast<std::uint32_t>(std::popcount(words_[w - 1]));
+  }
+  /// How many positions of the set are less than i.
+  [[nodiscard]] std::size_t rank(std::size_t i) const {
+    const std::uint64_t below = words_[i / 64] & ((std::uint64_t{1} << (i % 64)) - 1);
+    return before_[i / 64] + static_cast<std::size_t>(std::popcount(below));
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::vector<std::uint32_t> before_;  // by word: positions in the words before it
+};
+
+Bits nodes_inside(const Model& model, const Region& region) {
+  Bits inside(model.n_nodes());
+  for_blocks(model.n_nodes(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (region.contains(model.position[i])) inside.set(i);
+  });
+  return inside;
+}
+
+bool any_in(const Bits& set, std::span<const NodeId> nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [&](NodeId v) { return v.valid() && set[v.value]; });
+}
+
+bool all_in(const Bits& set, std::span<const NodeId> nodes) {
+  return std::all_of(nodes.begin(), nodes.end(), [&](NodeId v) { return v.valid() && set[v.value]; });
+}
+
+bool all_valid(std::span<const NodeId> nodes) {
+  return std::all_of(nodes.begin(), nodes.end(), [](NodeId v) { return v.valid(); });
+}
+
+std::vector<ElementId> faces_inside(const Model& model, const Region& region, const Bits& inside) {
+  return collected<ElementId>(model.n_elements(), [&](std::size_t i, std::vector<ElementId>& out) {
+    const ElementId e(i);
+    if (!model.is_face(e) || !all_valid(model.nodes_of(e))) return;
+    if (any_in(inside, model.nodes_of(e))) return out.push_back(e);
+    Box box;
+    for (const Vec3 p : model.corners(e)) box.add(p);
+    if (region.meets(box)) out.push_back(e);
+  });
+}
+
+/// Elements other than faces that touch the region or lie between nodes in `taken`.
+std::vector<ElementId> others_near(const Model& model, const Bits& inside, const Bits& taken) {
+  return collected<ElementId>(model.n_elements(), [&](std::size_t i, std::vector<ElementId>& out) {
+    const ElementId e(i);
+    if (model.is_face(e)) return;
+    const auto nodes = model.nodes_of(e);
+    if (any_in(inside, nodes) || (model.shape(e) == Shape::kLine ? all_in(taken, nodes) : any_in(taken, nodes)))
+      out.push_back(e);
+  });
+}
+
+/// The attributes that occur in a complex, one id each whatever the input.
+class AttributesTable {
+ public:
+  AttributesId id(const ElementAttributes& attributes) {
+    const auto at = static_cast<std::size_t>(std::find(table_.begin(), table_.end(), attributes) - table_.begin());
+    if (at == table_.size()) table_.push_back(attributes);
+    return AttributesId(at);
+  }
+
+ private:
+  std::vector<ElementAttributes> table_;
+};
+
+/// Ids of one input in terms of the complex; each is translated once.
+class Translation {
+ public:
+  Translation(const Model& model, std::span<const GroupId> merged_group, GroupSets& merged_sets, AttributesTable& table)
+      : model_(model),
+        merged_group_(merged_group),
+        merged_sets_(merged_sets),
+        table_(table),
+        sets_(model.group_sets.size()),
+        attributes_(model.attributes.size()) {}
+
+  GroupSetId groups(GroupSetId set) {
+    GroupSetId& to = sets_[set.value];
+    if (!to.valid()) {
+      std::vector<GroupId> members;
+      for (const GroupId g : model_.group_sets.members(set)) members.push_back(merged_group_[g.value]);
+      to = merged_sets_.intern(std::move(members));
+    }
+    return to;
+  }
+
+  AttributesId attributes(AttributesId own) {
+    AttributesId& to = attributes_[own.value];
+    if (!to.valid()) to = table_.id(model_.attributes[own.value]);
+    return to;
+  }
+
+ private:
+  const Model& model_;
+  std::span<const GroupId> merged_group_;
+  GroupSets& merged_sets_;
+  AttributesTable& table_;
+  std::vector<GroupSetId> sets_;
+  std::vector<AttributesId> attributes_;
+};
+
+/// Adds one input to the complex.
+class Cutter {
+ public:
+  Cutter(Complex& complex, const Model& model, std::uint32_t input, Translation translation)
+      : complex_(complex),
+        model_(model),
+        input_(input),
+        translation_(std::move(translation)),
+        taken_(model.n_nodes()) {}
+
+  void cut(const Region& region) {
+    const Bits inside = nodes_inside(model_, region);
+    const std::vector<ElementId> faces = faces_inside(model_, region, inside);
+    for (const ElementId f : faces)
+      for (const NodeId v : model_.nodes_of(f)) taken_.set(v.value);
+    const std::vector<ElementId> others = others_near(model_, inside, taken_);
+    for (const ElementId e : others)
+      if (is_line(e))
+        for (const NodeId v : model_.nodes_of(e)) taken_.set(v.value);
+
+    add_vertices(inside);
+    for (const ElementId f : faces) add_face(f);
+    for (const ElementId e : others) {
+      if (is_line(e))
+        add_line(e);
+      else
+        constrain(e);
+    }
+    for (const OrientationNode& o : model_.orientation_nodes) pin(o.node);
+    keep_fixed_edges_of_faces();
+  }
+
+ private:
+  [[nodiscard]] bool is_line(ElementId e) const {
+    return model_.shape(e) == Shape::kLine && all_valid(model_.nodes_of(e));
+  }
+
+  void add_vertices(const Bits& inside) {
+    first_vertex_ = complex_.n_vertices();
+    taken_.count();
+    taken_.each([&](std::size_t i) {
+      complex_.add_vertex(model_.position[i], {input_, NodeId(i)},
+                          inside[i] ? VertexState::kOpen : VertexState::kFrozen,
+                          translation_.groups(model_.node_groups[i]));
+    });
+  }
+
+  /// The vertex of a node; invalid if it is not in the complex.
+  [[nodiscard]] VertexId vertex(NodeId node) const {
+    return taken_[node.value] ? VertexId(first_vertex_ + taken_.rank(node.value)) : VertexId{};
+  }
+
+  void add_face(ElementId e) {
+    const auto nodes = model_.nodes_of(e);
+    complex_.face.push_back({vertex(nodes[0]), vertex(nodes[1]), vertex(nodes[2])});
+    complex_.parent.push_back({input_, e});
+    complex_.component.push_back(input_);
+    complex_.face_groups.push_back(translation_.groups(model_.element_groups[e.value]));
+    complex_.face_attributes.push_back(translation_.attributes(model_.element_attributes[e.value]));
+  }
+
+  void add_line(ElementId e) {
+    const auto nodes = model_.nodes_of(e);
+    complex_.lines.push_back({{vertex(nodes[0]), vertex(nodes[1])},
+                              {input_, e},
+                              translation_.groups(model_.element_groups[e.value]),
+                              translation_.attributes(model_.element_attributes[e.value])});
+  }
+
+  void pin(NodeId node) {
+    const VertexId v = node.valid() ? vertex(node) : VertexId{};
+    if (v.valid() && complex_.state[v.value] == VertexState::kOpen) complex_.state[v.value] = VertexState::kPinned;
+  }
+
+  /// An element that is not remeshed keeps its nodes and, if it has sides, its edges.
+  void constrain(ElementId e) {
+    const auto nodes = model_.nodes_of(e);
+    for (const NodeId v : nodes) pin(v);
+    const Shape shape = model_.shape(e);
+    if (shape == Shape::kPoint || shape == Shape::kOther) return;
+    std::vector<VertexId> corners;
+    for (const NodeId v : nodes)
+      if (v.valid() && vertex(v).valid()) corners.push_back(vertex(v));
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t j = i + 1; j < corners.size(); ++j)
+        if (corners[i] != corners[j])
+          fixed_.push_back({std::min(corners[i], corners[j]), std::max(corners[i], corners[j])});
+  }
+
+  /// Of all pairs of nodes of the elements that are not remeshed, those that are an edge of a face
+  /// here: the order of nodes differs between kinds of elements, but an edge of a face between two
+  /// nodes of such an element is always one of its sides.
+  void keep_fixed_edges_of_faces() {
+    std::sort(fixed_.begin(), fixed_.end());
+    fixed_.erase(std::unique(fixed_.begin(), fixed_.end()), fixed_.end());
+    if (fixed_.empty()) return;
+    std::vector<std::uint8_t> found(fixed_.size());
+    for (const auto& f : complex_.face)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::array<VertexId, 2> edge{std::min(f[k], f[(k + 1) % 3]), std::max(f[k], f[(k + 1) % 3])};
+        const auto at = std::lower_bound(fixed_.begin(), fixed_.end(), edge);
+        if (at != fixed_.end() && *at == edge) found[static_cast<std::size_t>(at - fixed_.begin())] = 1;
+      }
+    for (std::size_t i = 0; i < fixed_.size(); ++i)
+      if (found[i]) complex_.fixed_edges.push_back(fixed_[i]);
+  }
+
+  Complex& complex_;
+  const Model& model_;
+  std::uint32_t input_;
+  Translation translation_;
+  Bits taken_;  // nodes that become vertices
+  std::size_t first_vertex_ = 0;
+  std::vector<std::array<VertexId, 2>> fixed_;
+};
+
+}  // namespace
+
+Complex workpiece(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
+                  std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
+                  const WorkpieceOptions& options) {
+  const Region region = region_around(inputs, candidates, options.reach);
+  Complex complex;
+  AttributesTable table;
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    Cutter(complex, *inputs[k], static_cast<std::uint32_t>(k),
+           Translation(*inputs[k], groups_of_input[k], merged_sets, table))
+        .cut(region);
+  return complex;
+}
+
+}  // namespace meshgraft
