@@ -1,0 +1,141 @@
+#include "merge/compatibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr const char* kCheckUnits = "check that both files are in the same unit of length (mm against m?)";
+
+Result<void> check_options(const MergeOptions& o) {
+  const auto refuse = [](const std::string& what, const std::string& hint) {
+    return failure(ErrorCode::kUsage, what, hint);
+  };
+  if (!(o.contact_angle > 0 && o.contact_angle < std::numbers::pi / 2))
+    return refuse("contact angle of " + text_of(o.contact_angle * 180 / std::numbers::pi) + " degrees",
+                  "give an angle between 0 and 90 degrees");
+  if (!(o.tolerance.value >= 0 && std::isfinite(o.tolerance.value)))
+    return refuse("tolerance of " + text_of(o.tolerance.value), "give a length of 0 or more, or a percentage");
+  if (o.tolerance.relative && o.tolerance.value > 0.5)
+    return refuse("tolerance of " + text_of(100 * o.tolerance.value) + " % of the edge length",
+                  "give at most 50 %; what is farther apart cannot be pulled together");
+  if (o.size && !(*o.size > 0 && std::isfinite(*o.size)))
+    return refuse("edge length of " + text_of(*o.size) + " along the junction", "give a length above 0");
+  if (o.bandwidth && *o.bandwidth < 1)
+    return refuse("bandwidth of " + std::to_string(*o.bandwidth), "give 1 or more neighbourhoods");
+  if (!(o.min_quality >= 0 && o.min_quality < 1))
+    return refuse("least quality of " + text_of(o.min_quality), "give a Q of at least 0 and below 1");
+  return {};
+}
+
+Result<void> check_numbers(const Model& model) {
+  const auto bad = std::ranges::find_if_not(model.position, is_finite);
+  if (bad == model.position.end()) return {};
+  const NodeId node(static_cast<std::size_t>(bad - model.position.begin()));
+  return failure(ErrorCode::kBadNumber,
+                 "node " + std::to_string(model.node_label[node.value]) + " is at " + text_of(*bad),
+                 "a coordinate must be a finite number", place_of(model, node));
+}
+
+Result<void> check_units(Inputs inputs) {
+  const Model* first = nullptr;
+  for (const Model* model : inputs) {
+    if (!model->units) continue;
+    if (first == nullptr) first = model;
+    const Units &a = *first->units, &b = *model->units;
+    if (a.length == b.length && a.force == b.force && a.temperature == b.temperature) continue;
+    const auto factors = [](const Units& u) {
+      return "length " + text_of(u.length) + ", force " + text_of(u.force) + ", temperature " + text_of(u.temperature);
+    };
+    return failure(ErrorCode::kUnitsDiffer,
+                   "the unit factors of dataset 164 differ: " + factors(a) + " in " + first->path + ", " + factors(b) +
+                       " in " + model->path,
+                   "convert one of the models, or correct its dataset 164 if it only says the wrong thing",
+                   {model->path, 0});
+  }
+  return {};
+}
+
+/// Size of a model, from some of its faces.
+struct Extent {
+  double diagonal = 0, mean_edge = 0;
+  std::size_t faces = 0;
+};
+
+template <class Faces>
+Extent extent_of(const Model& model, const Faces& faces) {
+  Extent e;
+  Box box;
+  for (const ElementId f : faces) {
+    const Triangle t = model.corners(f);
+    for (const Vec3& p : t) box.add(p);
+    e.mean_edge += mean_edge_length(t);
+    ++e.faces;
+  }
+  e.diagonal = box.diagonal();
+  if (e.faces > 0) e.mean_edge /= static_cast<double>(e.faces);
+  return e;
+}
+
+/// Faces spread over the model; all of them if there are few.
+std::vector<ElementId> some_faces(const Model& model, std::size_t wanted) {
+  const std::size_t step = std::max<std::size_t>(1, model.n_elements() / wanted);
+  std::vector<ElementId> faces;
+  for (std::size_t start = 0; start < step && faces.empty(); ++start)
+    for (std::size_t e = start; e < model.n_elements(); e += step)
+      if (model.is_face(ElementId(e))) faces.emplace_back(e);
+  return faces;
+}
+
+double ratio(double a, double b) { return std::min(a, b) > 0 ? std::max(a, b) / std::min(a, b) : 1; }
+
+}  // namespace
+
+Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const CompatibilityLimits& limits) {
+  if (const auto ok = check_options(options); !ok) return ok;
+  std::vector<Extent> extents;
+  for (const Model* model : inputs) {
+    const std::vector<ElementId> faces = some_faces(*model, limits.sample);
+    if (faces.empty())
+      return failure(ErrorCode::kNoFaces,
+                     "no triangle among " + std::to_string(model->n_elements()) +
+                         " elements, so there is no surface "
+                         "to join",
+                     "only three-node triangles can be merged; mesh the surface with them", {model->path, 0});
+    if (const auto ok = check_numbers(*model); !ok) return ok;
+    extents.push_back(extent_of(*model, faces));
+  }
+  if (const auto ok = check_units(inputs); !ok) return ok;
+  for (std::size_t k = 1; k < inputs.size(); ++k) {
+    const Extent &a = extents[0], &b = extents[k];
+    const double times = std::min(ratio(a.diagonal, b.diagonal), ratio(a.mean_edge, b.mean_edge));
+    if (times < limits.max_size_ratio) continue;
+    const auto figures = [](const Extent& e) {
+      return "is " + text_of(e.diagonal) + " across with edges of " + text_of(e.mean_edge);
+    };
+    return failure(ErrorCode::kScaleMismatch,
+                   inputs[0]->path + " " + figures(a) + ", but " + inputs[k]->path + " " + figures(b), kCheckUnits,
+                   {inputs[k]->path, 0});
+  }
+  return {};
+}
+
+Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<ElementId>> candidates,
+                               const CompatibilityLimits& limits) {
+  for (std::size_t k = 1; k < inputs.size(); ++k) {
+    const Extent a = extent_of(*inputs[0], candidates[0]), b = extent_of(*inputs[k], candidates[k]);
+    if (ratio(a.mean_edge, b.mean_edge) < limits.max_size_ratio) continue;
+    return failure(ErrorCode::kScaleMismatch,
+                   "where " + inputs[k]->path + " meets " + inputs[0]->path + ", edges of " + text_of(b.mean_edge) +
+                       " meet edges of " + text_of(a.mean_edge),
+                   std::string(kCheckUnits) + ", or refine the coarser mesh there", {inputs[k]->path, 0});
+  }
+  return {};
+}
+
+}  // namespace meshgraft

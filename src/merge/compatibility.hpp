@@ -1,0 +1,29 @@
+// What must hold before a merge is tried: sensible options, faces, one system of units, one scale.
+#pragma once
+
+#include <vector>
+
+#include "merge/inputs.hpp"
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+struct CompatibilityLimits {
+  /// Two models whose boxes and edges are both this many times apart in size do not belong
+  /// together, nor do two meshes whose edges are where they meet: no grading joins those.
+  double max_size_ratio = 200;
+  /// Faces looked at to learn the size of a model; evenly spread over it.
+  std::size_t sample = 4096;
+};
+
+/// Checks options and inputs. Errors: kUsage, kNoFaces, kBadNumber, kUnitsDiffer, kScaleMismatch.
+/// Cost: one look at every node.
+[[nodiscard]] Result<void> check_compatible(Inputs inputs, const MergeOptions& options,
+                                            const CompatibilityLimits& limits = {});
+
+/// kScaleMismatch if the meshes differ too much where they meet. `candidates`: faces by input.
+[[nodiscard]] Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<ElementId>> candidates,
+                                             const CompatibilityLimits& limits = {});
+
+}  // namespace meshgraft

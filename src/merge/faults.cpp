@@ -1,0 +1,98 @@
+#include "merge/faults.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+
+namespace meshgraft {
+namespace {
+
+std::string hint_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kOverlap:
+      return "coplanar faces that overlap are not merged by this version; cut one of the meshes back to the border of "
+             "the other";
+    case ErrorCode::kDegenerateFace:
+      return "remove the face or give it an area; meshgraft check lists all of them";
+    case ErrorCode::kDuplicateFace:
+      return "remove one of the two; meshgraft check lists all of them";
+    case ErrorCode::kUnsupportedElement:
+      return "split the elements there into three-node triangles, or move the part";
+    default:
+      return "look at this place in both meshes; another --tolerance, or a part moved by a little, may help";
+  }
+}
+
+/// Distance between two meshes from the nodes of each to the faces of the other. Cost n log n.
+double distance_between(const Model& a, const Model& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [points, faces] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    std::vector<ElementId> items;
+    std::vector<Box> boxes;
+    for (std::size_t e = 0; e < faces->n_elements(); ++e) {
+      if (!faces->is_face(ElementId(e))) continue;
+      items.emplace_back(e);
+      Box& box = boxes.emplace_back();
+      for (const Vec3& p : faces->corners(ElementId(e))) box.add(p);
+    }
+    const BoxTree tree(boxes);
+    for (std::size_t e = 0; e < points->n_elements(); ++e) {
+      if (!points->is_face(ElementId(e))) continue;
+      for (const Vec3& p : points->corners(ElementId(e))) {
+        const auto squared_distance = [&](std::uint32_t f) {
+          return squared_norm(p - closest_on_triangle(p, faces->corners(items[f])).point);
+        };
+        least = std::min(least, tree.nearest(p, squared_distance, least).squared_distance);
+      }
+    }
+  }
+  return std::sqrt(least);
+}
+
+}  // namespace
+
+Error to_error(Inputs inputs, const JunctionFault& fault) {
+  Error error{fault.code, fault.what, hint_of(fault.code), {}};
+  std::vector<std::string> elements;
+  for (const ElementRef e : fault.elements) elements.push_back(text_of(inputs, e));
+  if (!elements.empty()) error.what += ": " + joined(elements);
+  error.what += " at " + text_of(fault.at);
+  if (!fault.elements.empty()) {
+    const ElementRef first = fault.elements.front();
+    error.place = place_of(*inputs[first.input], first.element);
+  }
+  return error;
+}
+
+std::vector<std::uint32_t> parts_apart(Inputs inputs, std::span<const std::array<std::uint32_t, 2>> met) {
+  std::vector<bool> reached(inputs.size());
+  reached[0] = true;
+  for (std::size_t round = 0; round < inputs.size(); ++round)
+    for (const auto& [a, b] : met) reached[a] = reached[b] = reached[a] || reached[b];
+  std::vector<std::uint32_t> apart;
+  for (std::uint32_t k = 1; k < inputs.size(); ++k)
+    if (!reached[k]) apart.push_back(k);
+  return apart;
+}
+
+Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart) {
+  std::vector<std::string> missing, meeting;
+  for (std::uint32_t k = 1; k < inputs.size(); ++k) {
+    if (!std::ranges::binary_search(apart, k)) {
+      meeting.push_back(inputs[k]->path);
+      continue;
+    }
+    missing.push_back(inputs[k]->path + " (" + text_of(distance_between(*inputs[0], *inputs[k])) + " away)");
+  }
+  Error error{ErrorCode::kPartsApart,
+              joined(missing) + (missing.size() == 1 ? " does" : " do") + " not meet " + inputs[0]->path,
+              "check position and units, give a larger --tolerance, or --allow-apart to add what is apart unjoined",
+              {inputs[apart.front()]->path, 0}};
+  if (!meeting.empty()) error.what += "; " + joined(meeting) + (meeting.size() == 1 ? " does" : " do");
+  return error;
+}
+
+}  // namespace meshgraft

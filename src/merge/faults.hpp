@@ -1,0 +1,24 @@
+// What the rooms of the pipeline report, in the words of the user: labels, files, places.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "intersect/corefine.hpp"
+#include "merge/inputs.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+/// A junction that could not be made, as an error with labels.
+[[nodiscard]] Error to_error(Inputs inputs, const JunctionFault& fault);
+
+/// The parts that no chain of meetings joins to the base, ascending.
+/// `met`: pairs of inputs that meet.
+[[nodiscard]] std::vector<std::uint32_t> parts_apart(Inputs inputs, std::span<const std::array<std::uint32_t, 2>> met);
+
+/// kPartsApart naming the parts apart, those that are not, and how far away they are.
+[[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart);
+
+}  // namespace meshgraft

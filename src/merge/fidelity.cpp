@@ -1,0 +1,142 @@
+#include "merge/fidelity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+#include "merge/edges.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// The faces of one input that were removed.
+class Reference {
+ public:
+  Reference(const Model& model, std::span<const ElementId> removed) {
+    std::vector<Box> boxes;
+    for (const ElementId e : removed) {
+      if (!model.is_face(e)) continue;
+      faces_.push_back(model.corners(e));
+      Box& box = boxes.emplace_back();
+      for (const Vec3& p : faces_.back()) box.add(p);
+    }
+    tree_ = BoxTree(boxes);
+  }
+
+  [[nodiscard]] bool is_within(Vec3 p, double distance) const {
+    Box box;
+    box.add(p);
+    bool found = false;
+    tree_.overlapping(box.grown(distance),
+                      [&](std::uint32_t f) { found = found || squared_distance(p, f) <= distance * distance; });
+    return found;
+  }
+
+  [[nodiscard]] double distance(Vec3 p) const {
+    const auto nearest = tree_.nearest(p, [&](std::uint32_t f) { return squared_distance(p, f); });
+    return std::sqrt(nearest.squared_distance);
+  }
+
+  [[nodiscard]] bool empty() const { return tree_.empty(); }
+
+ private:
+  double squared_distance(Vec3 p, std::uint32_t f) const {
+    return squared_norm(p - closest_on_triangle(p, faces_[f]).point);
+  }
+  std::vector<Triangle> faces_;
+  BoxTree tree_;
+};
+
+class Measure {
+ public:
+  Measure(const Outcome& outcome, const Tolerance& tolerance, const FidelityLimits& limits)
+      : outcome_(outcome), tolerance_(tolerance), limits_(limits) {
+    for (std::size_t k = 0; k < outcome.inputs.size(); ++k)
+      references_.emplace_back(*outcome.inputs[k], outcome.graft.removed_elements[k]);
+  }
+
+  FidelityVerdict run() {
+    corners();
+    edges();
+    const Complex& complex = outcome_.final_complex;
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      if (outcome_.is_new(FaceId(f))) look(centroid(complex.corners(FaceId(f))), FaceId(f));
+    const double allowed = std::max(limits_.max_relative, relative(tolerance_));
+    if (verdict_.figures.max_distance_relative > allowed)
+      verdict_.broken.push_back(
+          {ErrorCode::kPromiseBroken,
+           outcome_.text(worst_) + " is " + text_of(verdict_.figures.max_distance) + " off the input surface, " +
+               text_of(100 * verdict_.figures.max_distance_relative) + " % of the edge length",
+           "give a smaller --size, so that the surface is followed more closely", outcome_.parent_place(worst_)});
+    return std::move(verdict_);
+  }
+
+ private:
+  /// The tolerance over the edge length at the worst place.
+  double relative(const Tolerance& tolerance) const {
+    const double length = worst_.valid() ? mean_edge_length(outcome_.final_complex.corners(worst_)) : 1;
+    return tolerance.at(length) / length;
+  }
+
+  /// Each vertex once for each input it has new faces of.
+  void corners() {
+    const Complex& complex = outcome_.final_complex;
+    std::vector<std::tuple<VertexId, std::uint32_t, FaceId>> uses;
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      if (outcome_.is_new(FaceId(f)))
+        for (const VertexId v : complex.face[f]) uses.emplace_back(v, complex.component[f], FaceId(f));
+    std::sort(uses.begin(), uses.end());
+    for (std::size_t k = 0; k < uses.size(); ++k) {
+      const auto [v, component, f] = uses[k];
+      if (k > 0 && std::get<0>(uses[k - 1]) == v && std::get<1>(uses[k - 1]) == component) continue;
+      look(complex.position[v.value], f);
+    }
+  }
+
+  /// Each edge of a new face once for each input.
+  void edges() {
+    const Complex& complex = outcome_.final_complex;
+    const std::vector<EdgeUse> uses = edge_uses(complex, changed_vertices(outcome_));
+    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+      for (std::size_t k = 0; k < edge.size(); ++k) {
+        const auto same_input = [&](const EdgeUse& e) {
+          return outcome_.is_new(e.face) && complex.component[e.face.value] == complex.component[edge[k].face.value];
+        };
+        if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_input)) continue;
+        look(midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]), edge[k].face);
+      }
+    });
+  }
+
+  void look(Vec3 p, FaceId f) {
+    const Reference& reference = references_[outcome_.final_complex.parent[f.value].input];
+    if (reference.empty()) return;
+    Report::Fidelity& worst = verdict_.figures;
+    const double length = mean_edge_length(outcome_.final_complex.corners(f));
+    const double known = std::min(worst.max_distance, worst.max_distance_relative * length);
+    if (reference.is_within(p, std::max(known, limits_.negligible * length))) return;
+    const double d = reference.distance(p);
+    worst.max_distance = std::max(worst.max_distance, d);
+    if (d <= worst.max_distance_relative * length) return;
+    worst.max_distance_relative = d / length;
+    worst.at = p;
+    worst_ = f;
+  }
+
+  const Outcome& outcome_;
+  const Tolerance& tolerance_;
+  const FidelityLimits& limits_;
+  std::vector<Reference> references_;
+  FidelityVerdict verdict_;
+  FaceId worst_;
+};
+
+}  // namespace
+
+FidelityVerdict fidelity_of(const Outcome& outcome, const Tolerance& tolerance, const FidelityLimits& limits) {
+  return Measure(outcome, tolerance, limits).run();
+}
+
+}  // namespace meshgraft

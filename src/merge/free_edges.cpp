@@ -1,0 +1,111 @@
+#include "merge/free_edges.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+#include "merge/junction_summary.hpp"
+
+namespace meshgraft {
+namespace {
+
+using Segment = std::array<Vec3, 2>;
+using NodePair = std::array<NodeRef, 2>;
+
+std::vector<EdgeUse> free_edges(const Complex& complex, std::span<const std::uint8_t> wanted) {
+  std::vector<EdgeUse> found;
+  const std::vector<EdgeUse> uses = edge_uses(complex, wanted);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) found.push_back(edge[0]);
+  });
+  return found;
+}
+
+Segment segment(const Complex& complex, VertexId a, VertexId b) {
+  return {complex.position[a.value], complex.position[b.value]};
+}
+
+/// Segments that others are looked for on.
+class Segments {
+ public:
+  explicit Segments(std::vector<Segment> segments) : segments_(std::move(segments)) {
+    std::vector<Box> boxes(segments_.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+      for (const Vec3& p : segments_[k]) boxes[k].add(p);
+    tree_ = BoxTree(boxes);
+  }
+
+  /// Whether ends and middle of `s` are within `distance` of the segments.
+  [[nodiscard]] bool cover(const Segment& s, double distance) const {
+    const std::array<Vec3, 3> points{s[0], midpoint(s[0], s[1]), s[1]};
+    return std::ranges::all_of(points, [&](Vec3 p) {
+      const auto squared_distance = [&](std::uint32_t k) {
+        return squared_norm(p - closest_on_segment(p, segments_[k][0], segments_[k][1]).point);
+      };
+      const auto nearest = tree_.nearest(p, squared_distance);
+      return nearest.found() && nearest.squared_distance <= distance * distance;
+    });
+  }
+
+ private:
+  std::vector<Segment> segments_;
+  BoxTree tree_;
+};
+
+NodePair key(const Complex& complex, const EdgeUse& e) {
+  const NodeRef a = complex.node[e.low.value], b = complex.node[e.high.value];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+std::vector<NodePair> keys(const Complex& complex, std::span<const EdgeUse> edges) {
+  std::vector<NodePair> all;
+  for (const EdgeUse& e : edges) all.push_back(key(complex, e));
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Vertices of the original complex whose nodes are at changed vertices of the final one, or are gone.
+std::vector<std::uint8_t> changed_before(const Outcome& outcome, std::span<const std::uint8_t> changed) {
+  std::vector<NodeRef> unchanged;
+  for (std::size_t v = 0; v < changed.size(); ++v)
+    if (changed[v] == 0) unchanged.push_back(outcome.final_complex.node[v]);
+  std::sort(unchanged.begin(), unchanged.end());
+  std::vector<std::uint8_t> marked(outcome.original.n_vertices());
+  for (std::size_t v = 0; v < marked.size(); ++v)
+    marked[v] = std::ranges::binary_search(unchanged, outcome.original.node[v]) ? 0 : 1;
+  return marked;
+}
+
+}  // namespace
+
+FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance, double max_distance) {
+  const Complex &before = outcome.original, &after = outcome.final_complex;
+  const std::vector<std::uint8_t> changed = changed_vertices(outcome);
+  const std::vector<EdgeUse> old_edges = free_edges(before, changed_before(outcome, changed));
+  const std::vector<EdgeUse> new_edges = free_edges(after, changed);
+  const std::vector<NodePair> old_keys = keys(before, old_edges), new_keys = keys(after, new_edges);
+
+  std::vector<Segment> old_segments, new_segments;
+  for (const EdgeUse& e : old_edges) old_segments.push_back(segment(before, e.low, e.high));
+  for (const EdgeUse& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
+  for (const JunctionEdge& e : junction_edges(after)) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
+  const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments));
+
+  const auto matches = [&](const Complex& complex, const EdgeUse& e, std::span<const NodePair> known,
+                           const Segments& segments) {
+    const NodePair nodes = key(complex, e);
+    if (nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes)) return true;
+    const Segment s = segment(complex, e.low, e.high);
+    const double length = distance(s[0], s[1]);
+    return segments.cover(s, std::max(max_distance * length, tolerance.at(length)));
+  };
+  FreeEdgeChanges changes;
+  for (const EdgeUse& e : new_edges)
+    if (!matches(after, e, old_keys, was_free)) changes.cracks.push_back(e);
+  for (const EdgeUse& e : old_edges)
+    if (!matches(before, e, new_keys, is_free)) changes.closed.push_back(e);
+  return changes;
+}
+
+}  // namespace meshgraft

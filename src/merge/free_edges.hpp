@@ -1,0 +1,22 @@
+// Free edges before and after a merge.
+#pragma once
+
+#include <vector>
+
+#include "merge/edges.hpp"
+#include "merge/outcome.hpp"
+#include "meshgraft/options.hpp"
+
+namespace meshgraft {
+
+struct FreeEdgeChanges {
+  std::vector<EdgeUse> cracks;  // free edges of the final complex where none was
+  std::vector<EdgeUse> closed;  // free edges of the original complex that are neither free nor on the junction now
+};
+
+/// Compares free edges around whatever changed. Edges correspond if they have the same nodes, or if
+/// ends and middle of one are within `max_distance` times its length, or the tolerance, of the others.
+[[nodiscard]] FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance,
+                                                double max_distance);
+
+}  // namespace meshgraft

@@ -1,0 +1,211 @@
+#include "merge/ledger.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+enum Kind : std::size_t { kNodes, kFaces, kLines, kOthers, kKinds };
+constexpr std::array<const char*, kKinds> kKindNames{"nodes", "faces", "lines", "other"};
+
+/// What a set of entities amounts to.
+struct Sum {
+  std::array<std::int64_t, kKinds> members{};
+  double area = 0, length = 0;
+
+  void add(const Sum& other, int sign = 1) {
+    for (std::size_t k = 0; k < kKinds; ++k) members[k] += sign * other.members[k];
+    area += sign * other.area, length += sign * other.length;
+  }
+  [[nodiscard]] std::uint64_t count() const {
+    std::int64_t n = 0;
+    for (const std::int64_t m : members) n += m;
+    return static_cast<std::uint64_t>(n);
+  }
+};
+
+Sum node() {
+  Sum s;
+  s.members[kNodes] = 1;
+  return s;
+}
+
+/// One element of shape `shape`, nodes found by `position_of`.
+template <class Node, class F>
+Sum element(Shape shape, std::span<const Node> nodes, F&& position_of) {
+  Sum s;
+  const std::size_t n = nodes.size();
+  if (shape == Shape::kTriangle && n == 3) {  // nearly all of them
+    s.members[kFaces] = 1;
+    s.area = area({position_of(nodes[0]), position_of(nodes[1]), position_of(nodes[2])});
+  } else if (shape == Shape::kLine && n == 2) {
+    s.members[kLines] = 1;
+    s.length = distance(position_of(nodes[0]), position_of(nodes[1]));
+  } else {
+    s.members[kOthers] = 1;
+  }
+  return s;
+}
+
+Sum element(const Model& model, ElementId e) {
+  const Shape shape = model.shape(e);
+  const auto at = [&](NodeId n) { return model.position[n.value]; };
+  if (shape == Shape::kTriangle || shape == Shape::kLine) return element(shape, model.nodes_of(e), at);
+  Sum s;
+  const Corners c = corners_of(shape, model.nodes_of(e));
+  s.members[c.is_surface() ? kFaces : c.n == 2 ? kLines : kOthers] = 1;
+  if (c.is_surface()) s.area = area({at(c.node[0]), at(c.node[1]), at(c.node[2])});
+  if (c.n == 4) s.area += area({at(c.node[0]), at(c.node[2]), at(c.node[3])});
+  if (c.n == 2) s.length = distance(at(c.node[0]), at(c.node[1]));
+  return s;
+}
+
+/// All groups of one input, by group of that input.
+std::vector<Sum> sums_of(const Model& model) {
+  std::vector<Sum> by_set(model.group_sets.size());
+  for (std::size_t e = 0; e < model.n_elements(); ++e)
+    if (model.element_groups[e] != GroupSets::kEmpty)
+      by_set[model.element_groups[e].value].add(element(model, ElementId(e)));
+  for (const GroupSetId s : model.node_groups)
+    if (s != GroupSets::kEmpty) by_set[s.value].add(node());
+  std::vector<Sum> by_group(model.groups.size());
+  for (std::size_t s = 0; s < by_set.size(); ++s)
+    for (const GroupId g : model.group_sets.members(GroupSetId(s))) by_group[g.value].add(by_set[s]);
+  return by_group;
+}
+
+/// What the graft adds to and takes from the merged groups.
+struct Change {
+  std::vector<Sum> sum;
+  std::vector<std::uint8_t> inherited, reduced, joined;  // by merged group: whether it happened
+};
+
+class ChangeCounter {
+ public:
+  ChangeCounter(Inputs inputs, const Graft& graft) : inputs_(inputs), graft_(graft) {
+    const std::size_t n = graft.groups.size();
+    change_.sum.resize(n);
+    change_.inherited.resize(n), change_.reduced.resize(n), change_.joined.resize(n);
+    for (const Model* model : inputs) merged_of_.emplace_back(model->groups.size());
+    for (std::size_t g = 0; g < n; ++g)
+      for (const MergedGroup::From from : graft.groups[g].from) merged_of_[from.input][from.group.value] = GroupId(g);
+  }
+
+  Change run() {
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      for (const ElementId e : graft_.removed_elements[k])
+        take(k, inputs_[k]->element_groups[e.value], element(*inputs_[k], e));
+      for (const NodeId n : graft_.removed_nodes[k]) take(k, inputs_[k]->node_groups[n.value], node());
+    }
+    for (const NewElement& e : graft_.new_elements) {
+      const std::span<const NodeRef> nodes(e.nodes.data(), e.nodes[2].valid() ? 3 : 2);
+      const Sum s = element(nodes.size() == 3 ? Shape::kTriangle : Shape::kLine, nodes,
+                            [&](NodeRef n) { return position_of(n); });
+      give(e.groups, s, change_.inherited);
+    }
+    for (const NewNode& n : graft_.new_nodes) give(n.groups, node(), change_.inherited);
+    for (const Graft::JoinedNode& j : graft_.joined_nodes) give(j.groups, node(), change_.joined);
+    return std::move(change_);
+  }
+
+ private:
+  void take(std::uint32_t input, GroupSetId set, const Sum& s) {
+    for (const GroupId g : inputs_[input]->group_sets.members(set)) {
+      const GroupId merged = merged_of_[input][g.value];
+      change_.sum[merged.value].add(s, -1);
+      change_.reduced[merged.value] = 1;
+    }
+  }
+
+  void give(GroupSetId set, const Sum& s, std::vector<std::uint8_t>& how) {
+    for (const GroupId g : graft_.group_sets.members(set)) {
+      change_.sum[g.value].add(s);
+      how[g.value] = 1;
+    }
+  }
+
+  Vec3 position_of(NodeRef n) const {
+    if (n.input == kNew) return graft_.new_nodes[n.node.value].position;
+    const auto it = std::ranges::lower_bound(graft_.moved_nodes, n, {}, &Graft::MovedNode::node);
+    if (it != graft_.moved_nodes.end() && it->node == n) return it->to;
+    return inputs_[n.input]->position[n.node.value];
+  }
+
+  Inputs inputs_;
+  const Graft& graft_;
+  Change change_;
+  std::vector<std::vector<GroupId>> merged_of_;  // [input][group]
+};
+
+std::string kind_of(const Sum& before, const Sum& after) {
+  std::string kind;
+  for (std::size_t k = 0; k < kKinds; ++k) {
+    if (before.members[k] == 0 && after.members[k] == 0) continue;
+    if (!kind.empty()) kind += '+';
+    kind += kKindNames[k];
+  }
+  return kind;
+}
+
+std::string rule_of(const Change& change, std::size_t g, std::size_t n_inputs) {
+  std::vector<std::string> rules;
+  if (n_inputs > 1) rules.push_back("united from " + std::to_string(n_inputs) + " inputs");
+  if (change.inherited[g] != 0) rules.emplace_back("inherited from parent");
+  if (change.inherited[g] == 0 && change.reduced[g] != 0) rules.emplace_back("removed with their surroundings");
+  if (change.joined[g] != 0) rules.emplace_back("joined by nodes that took another's place");
+  if (rules.empty()) return "untouched";
+  std::string text = rules.front();
+  for (std::size_t k = 1; k < rules.size(); ++k) text += "; " + rules[k];
+  return text;
+}
+
+Error broken(const std::string& name, const std::string& what) {
+  return {ErrorCode::kPromiseBroken,
+          "group " + name + " " + what,
+          "protect its members by a smaller --bandwidth, or look at the place of the merge; this is not expected",
+          {}};
+}
+
+void check(const GroupEntry& e, const LedgerOptions& options, std::vector<Error>& errors) {
+  if (e.members_before > 0 && e.members_after == 0) {
+    errors.push_back(broken(e.name, "had " + std::to_string(e.members_before) + " members and is empty now"));
+    return;
+  }
+  const auto changed = [&](double before, double after, const char* what) {
+    if (std::abs(after - before) <= options.max_change * before) return;
+    errors.push_back(broken(e.name, std::string("had ") + what + " " + text_of(before) + " and has " + text_of(after) +
+                                        " now, a change of " + text_of(100 * (after - before) / before) + " %"));
+  };
+  changed(e.area_before, e.area_after, "area");
+  changed(e.length_before, e.length_after, "length");
+}
+
+}  // namespace
+
+Ledger ledger_of(Inputs inputs, const Graft& graft, const LedgerOptions& options) {
+  std::vector<std::vector<Sum>> sums;
+  for (const Model* model : inputs) sums.push_back(sums_of(*model));
+  const Change change = ChangeCounter(inputs, graft).run();
+  Ledger ledger;
+  for (std::size_t g = 0; g < graft.groups.size(); ++g) {
+    const MergedGroup& group = graft.groups[g];
+    Sum before;
+    for (const MergedGroup::From from : group.from) before.add(sums[from.input][from.group.value]);
+    Sum after = before;
+    after.add(change.sum[g]);
+    // Sums of rounded numbers leave a little behind where everything went.
+    if (after.members[kFaces] == 0) after.area = 0;
+    if (after.members[kLines] == 0) after.length = 0;
+    ledger.groups.push_back({group.name, kind_of(before, after), before.count(), after.count(), before.area, after.area,
+                             before.length, after.length, rule_of(change, g, group.from.size())});
+    check(ledger.groups.back(), options, ledger.broken);
+  }
+  return ledger;
+}
+
+}  // namespace meshgraft

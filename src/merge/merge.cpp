@@ -1,0 +1,118 @@
+#include "meshgraft/merge.hpp"
+
+#include "merge/compatibility.hpp"
+#include "merge/faults.hpp"
+#include "merge/fidelity.hpp"
+#include "merge/group_table.hpp"
+#include "merge/labels.hpp"
+#include "merge/ledger.hpp"
+#include "merge/node_groups.hpp"
+#include "merge/outcome.hpp"
+#include "merge/quality_summary.hpp"
+#include "merge/remesh_zone.hpp"
+#include "merge/report_summary.hpp"
+#include "merge/result_check.hpp"
+#include "merge/stitch.hpp"
+#include "merge/stopwatch.hpp"
+#include "search/candidates.hpp"
+#include "search/workpiece.hpp"
+
+namespace meshgraft {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Parts that meet nothing: an error, or a warning if the user allows it.
+Result<void> check_parts_meet(Inputs inputs, const Corefined& corefined, const MergeOptions& options, Report& report) {
+  const std::vector<std::uint32_t> apart = parts_apart(inputs, corefined.met);
+  if (apart.empty()) return {};
+  const Error error = apart_error(inputs, apart);
+  if (!options.allow_apart) return Failure(error);
+  report.warnings.push_back({name(error.code), error.what + "; added unjoined", error.place});
+  return {};
+}
+
+/// Everything that can be said against the result, and the figures that go with it.
+void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
+           Report& report) {
+  append(report.broken_promises, check_result(outcome, translated, options.tolerance));
+  QualityVerdict quality = quality_of(outcome, remeshed.bad, options.min_quality);
+  report.quality = std::move(quality.summary);
+  append(report.broken_promises, std::move(quality.broken));
+  append(report.warnings, std::move(quality.warnings));
+  FidelityVerdict fidelity = fidelity_of(outcome, options.tolerance);
+  report.fidelity = fidelity.figures;
+  append(report.broken_promises, std::move(fidelity.broken));
+}
+
+Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
+  Merged merged;
+  Report& report = merged.report;
+  Graft& graft = merged.graft;
+  report.version = MESHGRAFT_VERSION;
+  Stopwatch watch(options.progress);
+
+  watch.start("search", 0);
+  if (const auto ok = check_compatible(inputs, options); !ok) return Failure(ok.error());
+  for (const Model* model : inputs) {
+    report.inputs.push_back(counts_of(*model));
+    append(report.warnings, std::vector(model->warnings));
+  }
+  GroupTable table = group_table(inputs);
+  graft.groups = table.groups;
+  SetTranslation translated(inputs, table, graft.group_sets);
+  SearchOptions search_options;
+  search_options.tolerance = options.tolerance;
+  const auto candidates = candidate_faces(inputs, search_options);
+  if (const auto ok = check_local_scale(inputs, candidates); !ok) return Failure(ok.error());
+  const Complex original = workpiece(inputs, candidates, table.of_input, graft.group_sets);
+
+  watch.start("intersect", 0.2);  // paper 5.1, 5.2
+  CorefineOptions corefine_options;
+  corefine_options.tolerance = options.tolerance;
+  corefine_options.contact_angle = options.contact_angle;
+  const auto corefined = corefine(original, graft.group_sets, corefine_options);
+  if (!corefined) return Failure(to_error(inputs, corefined.error()));
+  if (const auto ok = check_parts_meet(inputs, *corefined, options, report); !ok) return Failure(ok.error());
+
+  watch.start("remesh", 0.3);  // paper 5.3 to 5.6
+  const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
+  report.zone.bandwidth = zone.bandwidth, report.zone.widened = zone.widened;
+  const Complex& final_complex = zone.remeshed.complex;
+
+  watch.start("stitch", 0.8);
+  const Stitched stitched = stitch(inputs, original, *corefined, final_complex, graft);
+  assign_node_groups(inputs, translated, final_complex, stitched, graft);
+  Result<Labels> labels = labels_of(inputs, graft);
+  if (!labels) return Failure(labels.error());
+  merged.labels = std::move(*labels);
+
+  watch.start("check", 0.9);
+  const Outcome outcome{inputs, original, *corefined, final_complex, stitched, graft, merged.labels};
+  summarise(outcome, report);
+  judge(outcome, zone.remeshed, translated, options, report);
+  Ledger ledger = ledger_of(inputs, graft);
+  report.groups = std::move(ledger.groups);
+  append(report.broken_promises, std::move(ledger.broken));
+
+  watch.stop();
+  report.timings = watch.timings();
+  report.peak_memory_bytes = peak_memory_bytes();
+  return merged;
+}
+
+}  // namespace
+
+Result<Merged> merge(const Model& base, std::span<const Model> parts, const MergeOptions& options) {
+  if (parts.empty())
+    return failure(ErrorCode::kUsage, "no part to merge onto " + base.path,
+                   "name one or more parts; joining a model with itself is not available in this version");
+  std::vector<const Model*> inputs{&base};
+  for (const Model& part : parts) inputs.push_back(&part);
+  return merge(Inputs(inputs), options);
+}
+
+}  // namespace meshgraft

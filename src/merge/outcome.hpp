@@ -1,0 +1,37 @@
+// Everything that is known of a merge once it is stitched; what the checks and summaries look at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "intersect/corefine.hpp"
+#include "merge/group_table.hpp"
+#include "merge/stitch.hpp"
+#include "meshgraft/graft.hpp"
+
+namespace meshgraft {
+
+struct Outcome {
+  Inputs inputs;
+  const Complex& original;       // the workpiece
+  const Corefined& corefined;    // the same, cut along the junction
+  const Complex& final_complex;  // remeshed
+  const Stitched& stitched;
+  const Graft& graft;
+  const Labels& labels;
+
+  [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }
+  /// Label in the merged model.
+  [[nodiscard]] std::int64_t label(FaceId f) const;
+  /// "new element 57 at (1, 2, 0.5)", the place being the centroid.
+  [[nodiscard]] std::string text(FaceId f) const;
+  /// Where the parent of a face stands in the file of the user.
+  [[nodiscard]] Place parent_place(FaceId f) const;
+};
+
+/// By vertex of the final complex: 1 where a face is new or a face was removed. Whatever changed
+/// has all its corners marked.
+[[nodiscard]] std::vector<std::uint8_t> changed_vertices(const Outcome& outcome);
+
+}  // namespace meshgraft

@@ -1,0 +1,87 @@
+#include "merge/quality_summary.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr std::size_t kWorstListed = 10;
+constexpr double kFirstPercentile = 0.01;
+
+struct FaceQuality {
+  double q = 0;
+  FaceId face;
+  friend constexpr auto operator<=>(const FaceQuality&, const FaceQuality&) = default;
+};
+
+/// The remesher's word on each poor face, ascending by face.
+class Causes {
+ public:
+  explicit Causes(std::span<const BadFace> bad) : bad_(bad.begin(), bad.end()) {
+    std::ranges::sort(bad_, {}, &BadFace::face);
+  }
+  [[nodiscard]] const BadFace* find(FaceId f) const {
+    const auto it = std::ranges::lower_bound(bad_, f, {}, &BadFace::face);
+    return it != bad_.end() && it->face == f ? &*it : nullptr;
+  }
+
+ private:
+  std::vector<BadFace> bad_;
+};
+
+std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& faces, const Causes& causes,
+                    double min_quality) {
+  const FaceQuality& worst = faces.front();
+  const BadFace* bad = causes.find(worst.face);
+  std::string text = std::to_string(faces.size()) + (faces.size() == 1 ? " new face has" : " new faces have") +
+                     " Q below " + text_of(min_quality) + "; the worst, Q " + text_of(worst.q) + ", is " +
+                     outcome.text(worst.face);
+  if (bad != nullptr && !bad->cause.empty()) text += ": " + bad->cause;
+  return text;
+}
+
+}  // namespace
+
+bool is_unavoidable(const BadFace& bad) { return std::string_view(bad.cause).starts_with("input angle"); }
+
+QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, double min_quality) {
+  const Complex& complex = outcome.final_complex;
+  std::vector<FaceQuality> faces;
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    if (outcome.is_new(FaceId(f))) faces.push_back({aspect_ratio(complex.corners(FaceId(f))), FaceId(f)});
+  std::sort(faces.begin(), faces.end());
+
+  QualityVerdict verdict;
+  QualitySummary& s = verdict.summary;
+  s.faces = faces.size();
+  if (faces.empty()) return verdict;
+  s.min = faces.front().q;
+  s.p01 = faces[static_cast<std::size_t>(kFirstPercentile * static_cast<double>(faces.size() - 1))].q;
+  double sum = 0;
+  for (const FaceQuality& f : faces) sum += f.q;
+  s.mean = sum / static_cast<double>(faces.size());
+
+  const Causes causes(bad);
+  std::vector<FaceQuality> avoidable, unavoidable;
+  for (const FaceQuality& f : faces) {
+    const BadFace* cause = causes.find(f.face);
+    if (s.worst.size() < kWorstListed)
+      s.worst.push_back({f.q, centroid(complex.corners(f.face)), outcome.label(f.face), cause ? cause->cause : ""});
+    if (f.q >= min_quality) continue;
+    ++s.below;
+    (cause != nullptr && is_unavoidable(*cause) ? unavoidable : avoidable).push_back(f);
+  }
+  if (!avoidable.empty())
+    verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
+                              "give another --size or --bandwidth, a smaller --min-quality, or --allow-poor",
+                              outcome.parent_place(avoidable.front().face)});
+  if (!unavoidable.empty())
+    verdict.warnings.push_back({"poor-face", finding(outcome, unavoidable, causes, min_quality),
+                                outcome.parent_place(unavoidable.front().face)});
+  return verdict;
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,31 @@
+// Cleaning and remeshing, with a zone that grows where the quality asked for is not reached.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "intersect/corefine.hpp"
+#include "meshgraft/options.hpp"
+#include "remesh/remesh.hpp"
+
+namespace meshgraft {
+
+struct WidenLimits {
+  int max_neighbourhoods = 5;  // from the junction
+  int max_rounds = 6;
+};
+
+struct RemeshedZone {
+  Remeshed remeshed;
+  std::vector<int> bandwidth;  // by input
+  int widened = 0;             // times the zone was grown
+};
+
+/// Paper 5.3 to 5.6: curves and sheets are read, sizes set, neighbourhoods chosen and remeshed;
+/// beyond the paper, the zone is widened around poor faces that no input angle explains, and the
+/// best of the results is taken.
+[[nodiscard]] RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, GroupSets& groups,
+                                       const MergeOptions& options, const WidenLimits& limits = {});
+
+}  // namespace meshgraft

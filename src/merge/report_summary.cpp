@@ -1,0 +1,110 @@
+#include "merge/report_summary.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "merge/junction_summary.hpp"
+#include "merge/labels.hpp"
+
+namespace meshgraft {
+namespace {
+
+const char* kind_name(Shape shape) {
+  switch (shape) {
+    case Shape::kPoint:
+      return "point";
+    case Shape::kLine:
+      return "line";
+    case Shape::kLine3:
+      return "parabolic line";
+    case Shape::kTriangle:
+      return "triangle";
+    case Shape::kTriangle6:
+      return "parabolic triangle";
+    case Shape::kQuad:
+      return "quadrilateral";
+    case Shape::kQuad8:
+      return "parabolic quadrilateral";
+    case Shape::kSolid:
+      return "solid";
+    case Shape::kOther:
+      return "other";
+  }
+  return "other";
+}
+
+std::uint64_t count_faces(const Model& model, const std::vector<ElementId>& elements) {
+  return static_cast<std::uint64_t>(std::ranges::count_if(elements, [&](ElementId e) { return model.is_face(e); }));
+}
+
+void count_changes(const Outcome& outcome, Report& report) {
+  const Graft& graft = outcome.graft;
+  for (std::size_t k = 0; k < outcome.inputs.size(); ++k) {
+    const Model& model = *outcome.inputs[k];
+    report.zone.faces_removed += count_faces(model, graft.removed_elements[k]);
+    report.zone.nodes_removed += graft.removed_nodes[k].size();
+    report.untouched.nodes += model.n_nodes() - graft.removed_nodes[k].size();
+    report.untouched.elements += model.n_elements() - graft.removed_elements[k].size();
+  }
+  report.untouched.nodes -= graft.moved_nodes.size();
+  report.zone.nodes_created = graft.new_nodes.size();
+  report.zone.faces_created = static_cast<std::uint64_t>(
+      std::ranges::count_if(graft.new_elements, [](const NewElement& e) { return e.nodes[2].valid(); }));
+}
+
+template <class Id>
+void list_shifts(const std::vector<std::int64_t>& label, const std::vector<Id>& shifted, std::int64_t shift,
+                 std::uint32_t input, const char* kind, std::vector<LabelShift>& list) {
+  for (const Id id : shifted) list.push_back({input, kind, label[id.value], label[id.value] + shift});
+}
+
+void list_labels(const Outcome& outcome, Report& report) {
+  const Labels& labels = outcome.labels;
+  for (std::uint32_t k = 0; k < outcome.inputs.size(); ++k) {
+    const Model& model = *outcome.inputs[k];
+    list_shifts(model.node_label, labels.shifted_nodes[k], labels.node_shift[k], k, "node", report.labels);
+    list_shifts(model.element_label, labels.shifted_elements[k], labels.element_shift[k], k, "element", report.labels);
+  }
+  const Model& base = *outcome.inputs[0];
+  for (const NodeId n : outcome.graft.removed_nodes[0]) report.removed_nodes.push_back(base.node_label[n.value]);
+  for (const ElementId e : outcome.graft.removed_elements[0])
+    report.removed_elements.push_back(base.element_label[e.value]);
+}
+
+void list_moves(const Outcome& outcome, Report& report) {
+  for (const Graft::MovedNode& m : outcome.graft.moved_nodes) {
+    const Model& model = *outcome.inputs[m.node.input];
+    const Vec3 from = model.position[m.node.node.value];
+    report.moved.push_back({m.node.input, model.node_label[m.node.node.value], from, m.to, distance(from, m.to)});
+  }
+}
+
+}  // namespace
+
+InputSummary counts_of(const Model& model) {
+  InputSummary s;
+  s.path = model.path;
+  s.nodes = model.n_nodes(), s.elements = model.n_elements(), s.groups = model.groups.size();
+  std::vector<std::uint64_t> by_attributes(model.attributes.size());
+  for (const AttributesId a : model.element_attributes) ++by_attributes[a.value];
+  for (std::size_t a = 0; a < by_attributes.size(); ++a)
+    if (by_attributes[a] > 0) s.elements_by_kind[kind_name(model.attributes[a].shape)] += by_attributes[a];
+  return s;
+}
+
+void summarise(const Outcome& outcome, Report& report) {
+  count_changes(outcome, report);
+  report.junction = polylines_of(outcome.final_complex, junction_edges(outcome.final_complex));
+  list_labels(outcome, report);
+  list_moves(outcome, report);
+}
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr std::uint64_t kUnit = 1024;  // ru_maxrss counts kibibytes on Linux
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
+}
+
+}  // namespace meshgraft

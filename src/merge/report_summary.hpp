@@ -1,0 +1,18 @@
+// Plain facts of a merge for the report: counts, labels, moves.
+#pragma once
+
+#include "merge/outcome.hpp"
+#include "meshgraft/report.hpp"
+
+namespace meshgraft {
+
+/// Path and counts of an input; the digest and the size of its file are the reader's to add.
+[[nodiscard]] InputSummary counts_of(const Model& model);
+
+/// Fills zone (but bandwidth and widened), junction, untouched (but bytes), labels, removed_*, moved.
+void summarise(const Outcome& outcome, Report& report);
+
+/// Largest memory the process has held so far, in bytes.
+[[nodiscard]] std::uint64_t peak_memory_bytes();
+
+}  // namespace meshgraft

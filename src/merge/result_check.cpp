@@ -1,0 +1,166 @@
+#include "merge/result_check.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "check/face_pairs.hpp"
+#include "geometry/quality.hpp"
+#include "merge/free_edges.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr const char* kHint = "look at the place in both inputs, and try another --tolerance, --size or --bandwidth";
+
+/// Findings of one kind; beyond a number of them they are only counted.
+class Findings {
+ public:
+  Findings(std::vector<Error>& errors, std::size_t max_listed) : errors_(errors), max_listed_(max_listed) {}
+  ~Findings() {
+    if (n_ > max_listed_)
+      errors_.push_back(
+          {ErrorCode::kPromiseBroken, std::to_string(n_ - max_listed_) + " more findings like the last one", "", {}});
+  }
+  Findings(const Findings&) = delete;
+  Findings& operator=(const Findings&) = delete;
+
+  void add(const std::string& what, Place place) {
+    if (++n_ <= max_listed_) errors_.push_back({ErrorCode::kPromiseBroken, what, kHint, std::move(place)});
+  }
+
+ private:
+  std::vector<Error>& errors_;
+  std::size_t max_listed_, n_ = 0;
+};
+
+class ResultCheck {
+ public:
+  ResultCheck(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
+              const ResultCheckLimits& limits)
+      : outcome_(outcome),
+        complex_(outcome.final_complex),
+        translated_(translated),
+        tolerance_(tolerance),
+        limits_(limits) {}
+
+  std::vector<Error> run() {
+    intersections();
+    duplicates();
+    free_edges();
+    parents();
+    lost_nodes();
+    return std::move(errors_);
+  }
+
+ private:
+  using ParentPair = std::array<ElementRef, 2>;
+
+  static ParentPair parents_of(const Complex& complex, const std::array<FaceId, 2>& pair) {
+    const ElementRef a = complex.parent[pair[0].value], b = complex.parent[pair[1].value];
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  /// Pairs of faces of one input that met already before the merge, ascending.
+  std::vector<ParentPair> met_before() const {
+    const Complex& before = outcome_.original;
+    const std::vector<std::uint8_t> all(before.n_faces(), 1);
+    std::vector<ParentPair> met;
+    for (const auto& pair : intersecting_faces(before, all)) {
+      const ParentPair parents = parents_of(before, pair);
+      if (parents[0].input == parents[1].input) met.push_back(parents);
+    }
+    std::sort(met.begin(), met.end());
+    return met;
+  }
+
+  void intersections() {
+    std::vector<std::uint8_t> is_new(complex_.n_faces());
+    for (std::size_t f = 0; f < is_new.size(); ++f) is_new[f] = outcome_.is_new(FaceId(f)) ? 1 : 0;
+    const auto pairs = intersecting_faces(complex_, is_new);
+    if (pairs.empty()) return;
+    const std::vector<ParentPair> excused = met_before();
+    Findings findings(errors_, limits_.max_listed);
+    for (const auto& pair : pairs)
+      if (!std::ranges::binary_search(excused, parents_of(complex_, pair)))
+        findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",
+                     outcome_.parent_place(pair[0]));
+  }
+
+  void duplicates() {
+    std::vector<std::pair<std::array<VertexId, 3>, FaceId>> keys;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+      auto v = complex_.face[f];
+      std::sort(v.begin(), v.end());
+      keys.emplace_back(v, FaceId(f));
+    }
+    std::sort(keys.begin(), keys.end());
+    Findings findings(errors_, limits_.max_listed);
+    for (std::size_t k = 1; k < keys.size(); ++k) {
+      const FaceId a = keys[k - 1].second, b = keys[k].second;
+      if (keys[k - 1].first == keys[k].first && (outcome_.is_new(a) || outcome_.is_new(b)))
+        findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
+                     outcome_.parent_place(b));
+    }
+  }
+
+  void free_edges() {
+    const FreeEdgeChanges changes = free_edge_changes(outcome_, tolerance_, limits_.free_edge_distance);
+    Findings cracks(errors_, limits_.max_listed), closed(errors_, limits_.max_listed);
+    for (const EdgeUse& e : changes.cracks)
+      cracks.add("the edge of " + outcome_.text(e.face) + " around " +
+                     text_of(midpoint(complex_.position[e.low.value], complex_.position[e.high.value])) +
+                     " is free and was not",
+                 outcome_.parent_place(e.face));
+    const Complex& before = outcome_.original;
+    for (const EdgeUse& e : changes.closed) {
+      const ElementRef parent = before.parent[e.face.value];
+      closed.add("the free edge of " + text_of(outcome_.inputs, parent) + " around " +
+                     text_of(midpoint(before.position[e.low.value], before.position[e.high.value])) + " is gone",
+                 place_of(*outcome_.inputs[parent.input], parent.element));
+    }
+  }
+
+  void parents() {
+    Findings turned(errors_, limits_.max_listed), groups(errors_, limits_.max_listed);
+    for (std::size_t k = 0; k < complex_.n_faces(); ++k) {
+      const FaceId f(k);
+      if (!outcome_.is_new(f)) continue;
+      const ElementRef parent = complex_.parent[k];
+      const Model& model = *outcome_.inputs[parent.input];
+      if (dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
+        turned.add(outcome_.text(f) + " is turned against " + text_of(outcome_.inputs, parent) + ", which it replaces",
+                   outcome_.parent_place(f));
+      if (complex_.face_groups[k] != translated_.of(parent))
+        groups.add(
+            outcome_.text(f) + " is not in the groups of " + text_of(outcome_.inputs, parent) + ", which it replaces",
+            outcome_.parent_place(f));
+    }
+  }
+
+  void lost_nodes() {
+    Findings findings(errors_, limits_.max_listed);
+    for (const NodeRef n : outcome_.stitched.lost_nodes) {
+      const Model& model = *outcome_.inputs[n.input];
+      findings.add("node " + std::to_string(model.node_label[n.node.value]) + " of " + model.path + " at " +
+                       text_of(model.position[n.node.value]) +
+                       " is used by other elements and was not kept in the mesh",
+                   place_of(model, n.node));
+    }
+  }
+
+  const Outcome& outcome_;
+  const Complex& complex_;
+  SetTranslation& translated_;
+  const Tolerance& tolerance_;
+  const ResultCheckLimits& limits_;
+  std::vector<Error> errors_;
+};
+
+}  // namespace
+
+std::vector<Error> check_result(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
+                                const ResultCheckLimits& limits) {
+  return ResultCheck(outcome, translated, tolerance, limits).run();
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,31 @@
+// The result is checked before it is used: nothing that a merge must not do has happened.
+#pragma once
+
+#include <vector>
+
+#include "merge/group_table.hpp"
+#include "merge/outcome.hpp"
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+struct ResultCheckLimits {
+  /// How far a new free edge may be from the free edge it replaces, over its length.
+  double free_edge_distance = 0.1;
+  /// Findings of each kind that are listed one by one.
+  std::size_t max_listed = 10;
+};
+
+/// All findings, as kPromiseBroken with labels and places.
+///
+///  (1) No two faces meet but in shared nodes and edges, unless their parents, of one input, did.
+///  (2) No two elements lie on the same three nodes.
+///  (3) Each new free edge lies along a free edge of an input; each free edge that went is on
+///      another free edge or on the junction.
+///  (4) New faces are oriented as their parents, and are in their groups.
+///  (5) No node that other elements need is gone.
+[[nodiscard]] std::vector<Error> check_result(const Outcome& outcome, SetTranslation& translated,
+                                              const Tolerance& tolerance, const ResultCheckLimits& limits = {});
+
+}  // namespace meshgraft
