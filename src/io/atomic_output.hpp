@@ -1,0 +1,39 @@
+// A file that appears whole or not at all.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+/// Written beside its final place, flushed to the disk, then renamed; on any failure nothing is
+/// left behind and what was there before stays. Something that is not a regular file (/dev/null, a
+/// pipe) is written directly.
+class AtomicOutput {
+ public:
+  /// Error kCannotWrite, with the reason of the system.
+  [[nodiscard]] static Result<AtomicOutput> create(const std::string& path);
+
+  AtomicOutput(AtomicOutput&& other) noexcept;
+  AtomicOutput& operator=(AtomicOutput&&) = delete;
+  ~AtomicOutput();
+
+  [[nodiscard]] Result<void> write(std::span<const std::string_view> pieces);
+  [[nodiscard]] Result<void> write(std::string_view text) { return write({&text, 1}); }
+  /// Makes the file appear. Without it, nothing does.
+  [[nodiscard]] Result<void> commit();
+
+ private:
+  AtomicOutput() = default;
+  [[nodiscard]] Failure failed(const char* what, int reason) const;
+
+  std::string path_;       // as given, for messages
+  std::string target_;     // links resolved
+  std::string temporary_;  // empty when written directly
+  int fd_ = -1;
+};
+
+}  // namespace meshgraft

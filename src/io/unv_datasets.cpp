@@ -1,0 +1,245 @@
+#include "io/unv_datasets.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "io/unv_groups.hpp"
+#include "io/unv_numbers.hpp"
+
+namespace meshgraft::unv {
+namespace {
+
+constexpr std::size_t kNumberColumns = 6;
+constexpr std::size_t kScanPiece = std::size_t{4} << 20;  // bytes looked through by one task
+constexpr std::int64_t kLargestDataset = 99'999;
+
+/// Offsets of all lines that are delimiters, ascending. Inside binary data these may be false.
+std::vector<std::size_t> delimiter_lines(const Document& d) {
+  const std::string_view text = d.lines.text;
+  const std::string_view start = d.delimiter.empty() ? std::string_view("    -1") : std::string_view(d.delimiter);
+  const std::size_t n = (text.size() + kScanPiece - 1) / kScanPiece;
+  std::vector<std::vector<std::size_t>> found(n);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t piece) {
+    // A piece owns the lines that begin in it.
+    std::size_t at = std::max(piece * kScanPiece, d.first);
+    const std::size_t last = std::min((piece + 1) * kScanPiece, text.size());
+    if (piece > 0) at = d.lines.at(at - 1).next;
+    while (at < last) {
+      if (text.compare(at, start.size(), start) == 0 && d.is_delimiter(d.lines.at(at))) found[piece].push_back(at);
+      const void* end = std::memchr(text.data() + at, d.lines.terminator, text.size() - at);
+      if (end == nullptr) break;
+      at = static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
+    }
+  });
+  std::vector<std::size_t> all;
+  for (const auto& piece : found) all.insert(all.end(), piece.begin(), piece.end());
+  return all;
+}
+
+struct Number {
+  std::int64_t value = 0;
+  bool binary = false;
+};
+
+/// A dataset number line: a positive integer in columns 1-6 (learned mode: the first token),
+/// perhaps with a `b`; anything may follow.
+std::optional<Number> number_of(const Document& d, const Line& line) {
+  const std::string_view content = d.lines.view(line);
+  std::string_view field;
+  Number number;
+  if (d.delimiter.empty()) {
+    field = trimmed(content.substr(0, kNumberColumns));
+    number.binary = content.size() > kNumberColumns && content[kNumberColumns] == 'b';
+  } else {
+    for_each_token(content, [&](std::string_view token) { return field = token, false; });
+  }
+  if (field.ends_with('b')) field.remove_suffix(1), number.binary = true;
+  const auto value = parse_integer(field);
+  if (!value || *value <= 0 || *value > kLargestDataset) return std::nullopt;
+  number.value = *value;
+  return number;
+}
+
+/// End of the data of a binary dataset: lines of text, then a known number of bytes. The number
+/// line is `I6, 'b', byte order, float format, lines of text, bytes, ...`.
+tl::expected<std::size_t, Fault> end_of_binary(const Document& d, const Dataset& dataset) {
+  const Line number_line = d.lines.at(dataset.number_line);
+  std::vector<std::int64_t> fields;
+  bool skipped = false;
+  for_each_token(d.lines.view(number_line), [&](std::string_view token) {
+    const auto value = parse_integer(token);
+    if (!skipped && token.ends_with('b')) return skipped = true;
+    if (!value) return false;
+    if (skipped) fields.push_back(*value);
+    return true;
+  });
+  constexpr std::size_t kTextLines = 2, kBytes = 3;
+  if (fields.size() <= kBytes || fields[kTextLines] < 0 || fields[kBytes] < 0)
+    return tl::unexpected(Fault{ErrorCode::kMalformed, dataset.number_line,
+                                "the number line of a binary dataset does not say how many bytes follow",
+                                "remove the dataset if it is not needed"});
+  std::size_t at = number_line.next;
+  for (std::int64_t k = 0; k < fields[kTextLines] && at < d.lines.text.size(); ++k) at = d.lines.at(at).next;
+  if (static_cast<std::uint64_t>(fields[kBytes]) > d.lines.text.size() - at)
+    return tl::unexpected(Fault{ErrorCode::kTruncated, dataset.number_line,
+                                "the file ends inside a binary dataset of " + std::to_string(fields[kBytes]) + " bytes",
+                                "copy or export the file again"});
+  return at + static_cast<std::size_t>(fields[kBytes]);
+}
+
+/// First line at or after `at` that is not blank.
+std::optional<Line> first_text(const Document& d, std::size_t at, std::size_t limit) {
+  while (at < limit) {
+    const Line line = d.lines.at(at, limit);
+    if (!trimmed(d.lines.view(line)).empty()) return line;
+    at = line.next;
+  }
+  return std::nullopt;
+}
+
+class StateMachine {
+ public:
+  StateMachine(Document& d, std::vector<Warning>& warnings) : d_(d), warnings_(warnings) {}
+
+  tl::expected<void, Fault> run() {
+    const std::vector<std::size_t> delimiters = delimiter_lines(d_);
+    if (auto done = start_without_delimiter(); !done) return done;
+    std::size_t from = 0;  // delimiters before this offset are data
+    for (const std::size_t at : delimiters) {
+      if (at < from) continue;
+      if (auto done = delimiter(d_.lines.at(at)); !done) return done;
+      // The delimiter after binary data need not be at the start of a line.
+      while (resume_ > 0 && inside_) {
+        const std::size_t end = std::exchange(resume_, 0);
+        from = end;
+        if (end >= d_.lines.text.size() || !d_.is_delimiter(d_.lines.at(end))) break;
+        const Line closing = d_.lines.at(end);
+        if (auto done = delimiter(closing); !done) return done;
+        from = closing.next;
+      }
+    }
+    if (inside_) leave_unclosed();
+    warn_about_text_outside();
+    return {};
+  }
+
+ private:
+  Dataset& current() { return d_.datasets.back(); }
+
+  void warn(std::string name, std::string what, std::size_t offset) {
+    warnings_.push_back(d_.warning(std::move(name), std::move(what), offset));
+  }
+
+  tl::expected<void, Fault> start(std::size_t open, const Line& line, Number number) {
+    Dataset dataset;
+    dataset.number = number.value, dataset.binary = number.binary;
+    dataset.open = open, dataset.number_line = line.begin, dataset.body = line.next;
+    d_.datasets.push_back(dataset);
+    inside_ = true;
+    if (number.binary) {
+      const auto end = end_of_binary(d_, dataset);
+      if (!end) return tl::unexpected(end.error());
+      resume_ = *end;
+    }
+    return {};
+  }
+
+  void close(std::size_t body_end, std::size_t end, bool closed) {
+    current().body_end = body_end, current().end = end, current().closed = closed;
+    inside_ = false;
+  }
+
+  tl::expected<void, Fault> delimiter(const Line& line) {
+    const bool last = line.next >= d_.lines.text.size();
+    const Line next = last ? Line{} : d_.lines.at(line.next);
+    if (const auto number = last ? std::nullopt : number_of(d_, next)) {
+      if (inside_) {
+        warn("missing-delimiter",
+             "dataset " + std::to_string(current().number) + " and dataset " + std::to_string(number->value) +
+                 " have one delimiter between them",
+             line.begin);
+        close(line.begin, line.begin, false);
+      }
+      return start(line.begin, next, *number);
+    }
+    if (!inside_) return {};
+    if (!last && !d_.is_delimiter(next) && current().kind() == DatasetKind::kGroups &&
+        is_group_name_place(d_, current(), line.begin))
+      return {};
+    close(line.begin, line.next, true);
+    return {};
+  }
+
+  /// A file whose very first delimiter is missing begins with a number line.
+  tl::expected<void, Fault> start_without_delimiter() {
+    const auto line = first_text(d_, d_.first, d_.lines.text.size());
+    if (!line || d_.is_delimiter(*line)) return {};
+    const auto number = number_of(d_, *line);
+    constexpr std::array<std::int64_t, 6> kUsualFirst{151, 164, 2420, 2400, 18, 775};
+    if (!number || (kind_of(number->value) == DatasetKind::kOther && !std::ranges::count(kUsualFirst, number->value)))
+      return {};
+    const std::string_view rest = d_.lines.view(*line).substr(std::min(kNumberColumns, line->end - line->begin));
+    if (!trimmed(rest).empty()) return {};
+    warn("missing-delimiter", "the first dataset has no opening delimiter", line->begin);
+    return start(line->begin, *line, *number);
+  }
+
+  void leave_unclosed() {
+    const std::size_t end = d_.lines.text.size();
+    warn("missing-delimiter",
+         "the file ends inside dataset " + std::to_string(current().number) + ", which has no closing delimiter",
+         current().number_line);
+    close(end, end, false);
+  }
+
+  void warn_about_text_outside() {
+    std::size_t at = d_.first;
+    for (std::size_t k = 0; k <= d_.datasets.size(); ++k) {
+      const std::size_t limit = k < d_.datasets.size() ? d_.datasets[k].open : d_.lines.text.size();
+      for (auto line = first_text(d_, at, limit); line; line = first_text(d_, line->next, limit)) {
+        if (d_.is_delimiter(*line)) continue;
+        warn("text-outside", "text outside of any dataset is kept but means nothing", line->begin);
+        break;
+      }
+      if (k < d_.datasets.size()) at = d_.datasets[k].end;
+    }
+  }
+
+  Document& d_;
+  std::vector<Warning>& warnings_;
+  bool inside_ = false;
+  std::size_t resume_ = 0;
+};
+
+tl::expected<void, Fault> unknown_format(const Document& d) {
+  const std::string_view format = likely_format(d.lines.text.substr(d.first));
+  return tl::unexpected(Fault{ErrorCode::kUnknownFormat, d.first,
+                              format.empty()
+                                  ? std::string("this is not a universal file: it has no dataset between -1 lines")
+                                  : "this is not a universal file, it looks like " + std::string(format),
+                              "export the mesh as I-DEAS universal file (.unv)"});
+}
+
+}  // namespace
+
+tl::expected<void, Fault> find_datasets(Document& d, std::vector<Warning>& warnings) {
+  const auto line = first_text(d, d.first, d.lines.text.size());
+  if (!line) return tl::unexpected(Fault{ErrorCode::kEmptyFile, 0, "the file is empty", "export the mesh again"});
+  const std::string_view content = right_trimmed(d.lines.view(*line));
+  if (trimmed(content) == "-1" && !d.is_delimiter(*line)) {
+    d.delimiter = content;
+    warnings.push_back(d.warning("learned-delimiter",
+                                 "delimiters are not in columns 5-6; lines spelled like this one are taken as such",
+                                 line->begin));
+  } else if (!d.is_delimiter(*line) && !likely_format(d.lines.text.substr(d.first)).empty()) {
+    return unknown_format(d);
+  }
+  if (auto done = StateMachine(d, warnings).run(); !done) return done;
+  if (d.datasets.empty()) return unknown_format(d);
+  return {};
+}
+
+}  // namespace meshgraft::unv

@@ -1,0 +1,313 @@
+#include "io/unv_elements.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <unordered_map>
+
+#include "io/unv_numbers.hpp"
+#include "io/unv_pieces.hpp"
+#include "io/unv_types.hpp"
+
+namespace meshgraft::unv {
+namespace {
+
+/// Distinct attributes in order of first appearance.
+class AttributesTable {
+ public:
+  explicit AttributesTable(std::vector<ElementAttributes> distinct = {}) : distinct_(std::move(distinct)) {
+    for (std::size_t k = 0; k < distinct_.size(); ++k) by_hash_.emplace(hash(distinct_[k]), k);
+  }
+  std::uint32_t intern(const ElementAttributes& a) {
+    if (last_ < distinct_.size() && distinct_[last_] == a) return last_;
+    const auto [first, end] = by_hash_.equal_range(hash(a));
+    for (auto it = first; it != end; ++it)
+      if (distinct_[it->second] == a) return last_ = static_cast<std::uint32_t>(it->second);
+    by_hash_.emplace(hash(a), distinct_.size());
+    distinct_.push_back(a);
+    return last_ = static_cast<std::uint32_t>(distinct_.size() - 1);
+  }
+  [[nodiscard]] const std::vector<ElementAttributes>& distinct() const { return distinct_; }
+
+ private:
+  static std::uint64_t hash(const ElementAttributes& a) {
+    std::uint64_t h = static_cast<std::uint64_t>(a.shape);
+    for (const std::int64_t v : {a.type, a.physical, a.material, a.colour, a.physical_bin, a.material_bin})
+      h = (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ull, h ^= h >> 29;
+    return h;
+  }
+  std::vector<ElementAttributes> distinct_;
+  std::unordered_multimap<std::uint64_t, std::size_t> by_hash_;
+  std::uint32_t last_ = 0;
+};
+
+struct Findings {
+  Irregular tokens, unusual_beams, orientation, negative;
+  void add(const Findings& later) {
+    tokens.add(later.tokens), unusual_beams.add(later.unusual_beams);
+    orientation.add(later.orientation), negative.add(later.negative);
+  }
+};
+
+/// The elements of one piece of a dataset.
+struct Piece {
+  std::size_t begin = 0, end = 0;  // what was parsed; end is the start of the next record
+  std::vector<std::int64_t> label;
+  std::vector<std::uint32_t> attributes, n_nodes;
+  std::vector<std::uint64_t> place;
+  std::vector<NodeId> nodes;
+  std::vector<OrientationNode> orientation;
+  AttributesTable table;
+  Findings findings;
+  std::optional<Fault> fault;
+};
+
+constexpr std::size_t kMostFastNodes = 32;
+
+/// A record in the usual columns.
+struct FastRecord {
+  std::array<std::int64_t, 8> header{};
+  std::array<std::int64_t, kMostFastNodes> nodes{};
+  std::int64_t orientation = 0;
+  std::size_t n = 0, end = 0;
+};
+
+class FastParser {
+ public:
+  FastParser(const Document& d, std::size_t limit, ElementLayout layout)
+      : text_(d.lines.text.data()),
+        limit_(limit),
+        line_end_(d.line_end),
+        fields_(header_fields(layout)),
+        beam_fields_(layout == ElementLayout::k780 ? 5 : 3),
+        layout_(layout) {}
+
+  /// False if anything is unusual, or if what follows does not begin like a record.
+  bool parse(std::size_t begin, FastRecord& r) const {
+    std::size_t at = begin;
+    if (!integers(at, r.header.data(), fields_)) return false;
+    const std::int64_t n = r.header[fields_ - 1], id = r.header[1];
+    if (n < 1 || n > static_cast<std::int64_t>(kMostFastNodes)) return false;
+    r.orientation = 0, r.n = static_cast<std::size_t>(n);
+    if (layout_ != ElementLayout::k71) {
+      if (may_have_beam_record(id)) return false;
+      if (has_beam_record(id)) {
+        std::array<std::int64_t, 5> beam{};
+        if (!integers(at, beam.data(), beam_fields_)) return false;
+        r.orientation = beam[0];
+      }
+    }
+    constexpr std::size_t kPerLine = 8;
+    for (std::size_t k = 0; k < r.n; k += kPerLine)
+      if (!integers(at, r.nodes.data() + k, std::min(kPerLine, r.n - k))) return false;
+    r.end = at;
+    return at == limit_ || begins_record(at);
+  }
+
+ private:
+  /// A line of exactly `count` integers; `at` moves behind it.
+  bool integers(std::size_t& at, std::int64_t* values, std::size_t count) const {
+    const std::size_t width = count * kIntegerWidth;
+    if (!ends_line(at, width)) return false;
+    for (std::size_t k = 0; k < count; ++k)
+      if (!fast_integer(text_ + at + k * kIntegerWidth, values[k])) return false;
+    at += width + line_end_.size();
+    return true;
+  }
+  [[nodiscard]] bool ends_line(std::size_t at, std::size_t width) const {
+    return limit_ - at >= width + line_end_.size() &&
+           std::memcmp(text_ + at + width, line_end_.data(), line_end_.size()) == 0;
+  }
+  [[nodiscard]] bool begins_record(std::size_t at) const {
+    const std::size_t width = fields_ * kIntegerWidth;
+    return ends_line(at, width) && text_[at + width - kIntegerWidth - 1] != ' ';
+  }
+
+  const char* text_;
+  std::size_t limit_;
+  std::string_view line_end_;
+  std::size_t fields_, beam_fields_;
+  ElementLayout layout_;
+};
+
+class PieceParser {
+ public:
+  PieceParser(const Document& d, const Dataset& dataset, const LabelIndex& nodes)
+      : d_(d),
+        limit_(dataset.body_end),
+        layout_(element_layout_of(dataset.number)),
+        fast_(d, dataset.body_end, layout_),
+        nodes_(nodes) {}
+
+  /// Parses the records that begin in [begin, border).
+  void parse(std::size_t begin, std::size_t border, Piece& piece) {
+    piece = Piece();
+    piece.begin = begin;
+    reserve(border > begin ? border - begin : 0, piece);
+    std::size_t at = skip_blank_lines(d_.lines, begin, limit_);
+    FastRecord fast;
+    while (at < border && at < limit_ && !piece.fault) {
+      if (fast_.parse(at, fast)) {
+        header_.assign(fast.header.begin(), fast.header.begin() + static_cast<std::ptrdiff_t>(header_fields(layout_)));
+        take(at, {fast.nodes.data(), fast.n}, fast.orientation, piece);
+        at = fast.end;
+        continue;
+      }
+      piece.fault = element_record(d_.lines, at, limit_, layout_, record_);
+      if (piece.fault) break;
+      if (!record_.columns) piece.findings.tokens.add(at);
+      if (record_.unusual_beam) piece.findings.unusual_beams.add(at);
+      header_ = record_.header;
+      take(at, record_.nodes, record_.beam.empty() ? 0 : record_.beam[0], piece);
+      at = skip_blank_lines(d_.lines, record_.end, limit_);
+    }
+    piece.end = at;
+  }
+
+  /// A likely start of a record at or after `border`: the first line from which a few records of
+  /// known types can be read. A wrong guess costs time, not correctness.
+  std::size_t likely_start(std::size_t border) {
+    constexpr int kLinesTried = 16, kRecords = 3;
+    std::size_t begin = border;
+    for (int line = 0; line < kLinesTried && begin < limit_; ++line) {
+      std::size_t at = skip_blank_lines(d_.lines, begin, limit_);
+      int good = 0;
+      for (; good < kRecords && at < limit_; ++good) {
+        if (element_record(d_.lines, at, limit_, layout_, record_)) break;
+        const ElementAttributes a = attributes_of(record_.header, layout_);
+        if (!is_known_type(a.type, record_.header.back())) break;
+        at = skip_blank_lines(d_.lines, record_.end, limit_);
+      }
+      if (good == kRecords || (good > 0 && at >= limit_)) return begin;
+      begin = d_.lines.at(begin, limit_).next;
+    }
+    return border;
+  }
+
+ private:
+  void reserve(std::size_t bytes, Piece& piece) const {
+    constexpr std::size_t kBytesPerElement = 90, kNodesPerElement = 3;  // of a triangle
+    const std::size_t n = bytes / kBytesPerElement + 1;
+    piece.label.reserve(n), piece.attributes.reserve(n), piece.n_nodes.reserve(n), piece.place.reserve(n);
+    piece.nodes.reserve(n * kNodesPerElement);
+  }
+
+  void take(std::size_t at, std::span<const std::int64_t> nodes, std::int64_t orientation, Piece& piece) {
+    const std::int64_t label = header_[0];
+    piece.label.push_back(label), piece.place.push_back(at);
+    piece.n_nodes.push_back(static_cast<std::uint32_t>(nodes.size()));
+    const ElementAttributes a = attributes_of(header_, layout_);
+    piece.attributes.push_back(piece.table.intern(a));
+    if (a.physical < 0 || a.material < 0) piece.findings.negative.add(at);
+    for (const std::int64_t node : nodes) {
+      const std::uint32_t id = nodes_.find(node);
+      piece.nodes.push_back(NodeId());
+      if (id != LabelIndex::kNone)
+        piece.nodes.back().value = id;
+      else if (node != 0 && !piece.fault)
+        piece.fault = Fault{ErrorCode::kUnknownNode, at,
+                            "element " + std::to_string(label) + " refers to node " + std::to_string(node) +
+                                ", which no node dataset defines",
+                            "export the mesh together with its nodes, or remove element " + std::to_string(label)};
+    }
+    if (orientation == 0) return;
+    const std::uint32_t id = nodes_.find(orientation);
+    if (id == LabelIndex::kNone)
+      piece.findings.orientation.add(at);
+    else
+      piece.orientation.push_back({ElementId(piece.label.size() - 1), NodeId(std::size_t{id})});
+  }
+
+  const Document& d_;
+  std::size_t limit_;
+  ElementLayout layout_;
+  FastParser fast_;
+  const LabelIndex& nodes_;
+  ElementRecord record_;
+  std::vector<std::int64_t> header_;
+};
+
+/// Parses all pieces at once from guessed starts, then makes sure that each starts where the one
+/// before ended. Stops at the first fault in file order.
+std::optional<Fault> parse_pieces(const Document& d, const Dataset& dataset, const LabelIndex& nodes,
+                                  std::vector<Piece>& pieces) {
+  const std::vector<std::size_t> borders = piece_borders(d.lines, dataset.body, dataset.body_end);
+  pieces.resize(borders.size() - 1);
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
+    PieceParser parser(d, dataset, nodes);
+    parser.parse(k == 0 ? borders[0] : parser.likely_start(borders[k]), borders[k + 1], pieces[k]);
+  });
+  PieceParser parser(d, dataset, nodes);
+  std::size_t at = skip_blank_lines(d.lines, dataset.body, dataset.body_end);
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (skip_blank_lines(d.lines, pieces[k].begin, dataset.body_end) != at) parser.parse(at, borders[k + 1], pieces[k]);
+    if (pieces[k].fault) return pieces[k].fault;
+    at = skip_blank_lines(d.lines, pieces[k].end, dataset.body_end);
+  }
+  return std::nullopt;
+}
+
+void append(std::vector<Piece>& pieces, Model& model) {
+  AttributesTable table(std::move(model.attributes));
+  const std::size_t n = pieces.size();
+  std::vector<std::size_t> first_element(n + 1, model.element_label.size()), first_node(n + 1, model.nodes.size());
+  std::vector<std::vector<std::uint32_t>> attributes(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    first_element[k + 1] = first_element[k] + pieces[k].label.size();
+    first_node[k + 1] = first_node[k] + pieces[k].nodes.size();
+    for (const ElementAttributes& a : pieces[k].table.distinct()) attributes[k].push_back(table.intern(a));
+    for (const OrientationNode& o : pieces[k].orientation)
+      model.orientation_nodes.push_back({ElementId(first_element[k] + o.element.value), o.node});
+  }
+  model.attributes = table.distinct();
+  const std::size_t m = first_element[n];
+  model.element_label.resize(m), model.element_place.resize(m), model.element_attributes.resize(m);
+  model.first_node.resize(m + 1), model.nodes.resize(first_node[n]);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+    Piece& piece = pieces[k];
+    const std::size_t e = first_element[k];
+    std::ranges::copy(piece.label, model.element_label.begin() + static_cast<std::ptrdiff_t>(e));
+    std::ranges::copy(piece.place, model.element_place.begin() + static_cast<std::ptrdiff_t>(e));
+    std::ranges::copy(piece.nodes, model.nodes.begin() + static_cast<std::ptrdiff_t>(first_node[k]));
+    std::size_t node = first_node[k];
+    for (std::size_t i = 0; i < piece.label.size(); ++i) {
+      model.element_attributes[e + i].value = attributes[k][piece.attributes[i]];
+      model.first_node[e + i + 1] = static_cast<std::uint32_t>(node += piece.n_nodes[i]);
+    }
+    piece = Piece();
+  });
+}
+
+void warn(const Document& d, const Irregular& found, const char* name, const char* what,
+          std::vector<Warning>& warnings) {
+  if (found.count > 0) warnings.push_back(d.warning(name, std::to_string(found.count) + what, found.first));
+}
+
+}  // namespace
+
+tl::expected<void, Fault> read_elements(const Document& d, const Dataset& dataset, const LabelIndex& nodes,
+                                        Model& model, std::vector<Warning>& warnings) {
+  std::vector<Piece> pieces;
+  if (auto fault = parse_pieces(d, dataset, nodes, pieces)) return tl::unexpected(std::move(*fault));
+  Findings findings;
+  std::size_t n_nodes = model.nodes.size();
+  for (const Piece& piece : pieces) findings.add(piece.findings), n_nodes += piece.nodes.size();
+  if (n_nodes > std::numeric_limits<std::uint32_t>::max())
+    return tl::unexpected(
+        Fault{ErrorCode::kMalformed, dataset.body, "more than 4294967295 node references in elements", {}});
+  append(pieces, model);
+  warn(d, findings.tokens, "free-format", " element records are not in Fortran columns and were read by blanks",
+       warnings);
+  warn(d, findings.unusual_beams, "beam-record",
+       " element records have a beam line where none belongs, or none where one does", warnings);
+  warn(d, findings.orientation, "unknown-orientation-node", " beams name an orientation node that does not exist",
+       warnings);
+  warn(d, findings.negative, "negative-number",
+       " elements have a negative property or material number, which some readers take for the end of the dataset",
+       warnings);
+  return {};
+}
+
+}  // namespace meshgraft::unv

@@ -1,0 +1,230 @@
+#include "io/unv_nodes.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "io/unv_pieces.hpp"
+
+namespace meshgraft::unv {
+namespace {
+
+constexpr std::size_t kHeaderFields = 4;
+constexpr std::size_t kHeaderColumns = kHeaderFields * kIntegerWidth;
+constexpr std::size_t kRealColumns = 3 * kRealWidth;
+
+Fault bad_real(const LineScanner& lines, const Line& line, const Reals& reals, std::int64_t label) {
+  const std::string where = "coordinates of node " + std::to_string(label) + ": ";
+  if (reals.bad.empty())
+    return {ErrorCode::kMalformed,
+            line.begin,
+            where + "expected 3 reals, found '" + std::string(trimmed(lines.view(line))) + "'",
+            {}};
+  const bool comma = reals.bad.find(',') != std::string_view::npos;
+  return {ErrorCode::kBadNumber, line.begin,
+          where + "'" + std::string(reals.bad) + "' " + std::string(number_fault(reals.bad)),
+          comma ? "export the file with a decimal point" : "correct the node in the program that wrote the file"};
+}
+
+Fault truncated(std::size_t offset, std::int64_t label) {
+  return {ErrorCode::kTruncated, offset, "the record of node " + std::to_string(label) + " is not complete",
+          "copy or export the file again"};
+}
+
+void take_reals(const Reals& reals, NodeRecord& record) {
+  record.position = {reals.value[0], reals.value[1], reals.value[2]};
+  record.two_reals = reals.count == 2;
+}
+
+/// Dataset 15: four integers and three reals of 13 columns in one line, or the reals in the next.
+tl::expected<NodeRecord, Fault> one_line_record(const LineScanner& lines, const Line& line, std::size_t limit,
+                                                std::vector<std::int64_t>& scratch) {
+  const std::string_view content = right_trimmed(lines.view(line));
+  NodeRecord record;
+  Reals reals;
+  const std::string_view rest = content.size() > kHeaderColumns ? content.substr(kHeaderColumns) : std::string_view{};
+  std::string_view reals_text = rest;
+  Cut cut = parse_integers(content.substr(0, kHeaderColumns), scratch);
+  if (cut != Cut::kColumns || scratch.size() != kHeaderFields) {
+    // Tokens: the first four are integers, what follows are the reals.
+    scratch.clear();
+    reals_text = {};
+    for_each_token(content, [&](std::string_view token) {
+      const auto value = scratch.size() < kHeaderFields ? parse_integer(token) : std::nullopt;
+      if (value) return scratch.push_back(*value), true;
+      reals_text = content.substr(static_cast<std::size_t>(token.data() - content.data()));
+      return false;
+    });
+    cut = Cut::kTokens;
+    record.columns = false;
+  }
+  if (scratch.size() != kHeaderFields)
+    return tl::unexpected(Fault{ErrorCode::kMalformed,
+                                line.begin,
+                                "expected the 4 integers of a node, found '" + std::string(trimmed(content)) + "'",
+                                {}});
+  record.label = scratch[0];
+  std::copy_n(scratch.begin() + 1, 3, record.fields.begin());
+  record.end = line.next;
+  Line reals_line = line;
+  std::size_t width = kShortRealWidth;
+  if (trimmed(reals_text).empty()) {
+    if (line.next >= limit) return tl::unexpected(truncated(line.begin, record.label));
+    reals_line = lines.at(line.next, limit);
+    reals_text = lines.view(reals_line), width = kRealWidth, record.end = reals_line.next;
+  }
+  const Cut reals_cut = parse_reals(reals_text, cut == Cut::kColumns ? width : reals_text.size() + 1, reals);
+  if (reals_cut == Cut::kNone || reals.count < 2)
+    return tl::unexpected(bad_real(lines, reals_line, reals, record.label));
+  record.columns = record.columns && reals_cut == Cut::kColumns;
+  take_reals(reals, record);
+  return record;
+}
+
+tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const Line& line, std::size_t limit,
+                                                std::vector<std::int64_t>& scratch) {
+  NodeRecord record;
+  const Cut cut = parse_integers(lines.view(line), scratch);
+  if (cut == Cut::kNone || scratch.size() != kHeaderFields)
+    return tl::unexpected(
+        Fault{ErrorCode::kMalformed,
+              line.begin,
+              "expected the 4 integers of a node, found '" + std::string(trimmed(lines.view(line))) + "'",
+              {}});
+  record.label = scratch[0];
+  std::copy_n(scratch.begin() + 1, 3, record.fields.begin());
+  if (line.next >= limit) return tl::unexpected(truncated(line.begin, record.label));
+  const Line second = lines.at(line.next, limit);
+  Reals reals;
+  const Cut reals_cut = parse_reals(lines.view(second), kRealWidth, reals);
+  if (reals_cut == Cut::kNone || reals.count < 2) return tl::unexpected(bad_real(lines, second, reals, record.label));
+  record.columns = cut == Cut::kColumns && reals_cut == Cut::kColumns;
+  record.end = second.next;
+  take_reals(reals, record);
+  return record;
+}
+
+/// The usual record, in columns and with nothing else on its lines.
+bool fast_record(const LineScanner& lines, std::size_t begin, std::size_t limit, std::string_view line_end,
+                 std::int64_t& label, Vec3& position, std::size_t& end) {
+  const std::size_t feed = line_end.size();
+  if (limit - begin < kHeaderColumns + kRealColumns + 2 * feed) return false;
+  const char* header = lines.text.data() + begin;
+  const char* reals = header + kHeaderColumns + feed;
+  if (std::memcmp(header + kHeaderColumns, line_end.data(), feed) != 0) return false;
+  if (std::memcmp(reals + kRealColumns, line_end.data(), feed) != 0) return false;
+  std::int64_t other = 0;
+  if (!fast_integer(header, label)) return false;
+  for (std::size_t k = 1; k < kHeaderFields; ++k)
+    if (!fast_integer(header + k * kIntegerWidth, other)) return false;
+  if (!fast_real(reals, position.x) || !fast_real(reals + kRealWidth, position.y) ||
+      !fast_real(reals + 2 * kRealWidth, position.z))
+    return false;
+  end = begin + kHeaderColumns + kRealColumns + 2 * feed;
+  return true;
+}
+
+/// What a dataset has that deserves a warning.
+struct Findings {
+  Irregular tokens, two_reals;
+  void add(const Findings& later) { tokens.add(later.tokens), two_reals.add(later.two_reals); }
+};
+
+std::size_t count_lines(std::string_view text, char terminator) {
+  const auto n = static_cast<std::size_t>(std::count(text.begin(), text.end(), terminator));
+  return n + (!text.empty() && text.back() != terminator ? 1 : 0);
+}
+
+/// Parses records of exactly two lines in parallel; false, with the model as it was, if some
+/// record is not like that.
+bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findings& findings) {
+  const std::vector<std::size_t> borders = piece_borders(d.lines, dataset.body, dataset.body_end);
+  const std::size_t n = borders.size() - 1;
+  std::vector<std::size_t> first_line(n + 1, 0);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+    first_line[k + 1] = count_lines(d.lines.text.substr(borders[k], borders[k + 1] - borders[k]), d.lines.terminator);
+  });
+  for (std::size_t k = 0; k < n; ++k) first_line[k + 1] += first_line[k];
+  if (first_line[n] % 2 != 0) return false;
+
+  const std::size_t before = model.position.size(), after = before + first_line[n] / 2;
+  model.position.resize(after), model.node_label.resize(after), model.node_place.resize(after);
+  std::vector<Findings> found(n);
+  std::atomic<bool> good = true;
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+    std::vector<std::int64_t> scratch;
+    // A piece that begins inside a record leaves its second line to the piece before.
+    std::size_t at = first_line[k] % 2 == 0 ? borders[k] : d.lines.at(borders[k], dataset.body_end).next;
+    std::size_t i = before + (first_line[k] + 1) / 2;
+    for (const std::size_t last = before + (first_line[k + 1] + 1) / 2; i < last && good; ++i) {
+      model.node_place[i] = at;
+      if (fast_record(d.lines, at, dataset.body_end, d.line_end, model.node_label[i], model.position[i], at)) continue;
+      const auto record = node_record(d.lines, at, dataset.body_end, NodeLayout::kTwoLines, scratch);
+      if (!record || record->label < 0) {
+        good = false;
+        return;
+      }
+      if (!record->columns) found[k].tokens.add(at);
+      if (record->two_reals) found[k].two_reals.add(at);
+      model.node_label[i] = record->label, model.position[i] = record->position, at = record->end;
+    }
+  });
+  if (!good) {
+    model.position.resize(before), model.node_label.resize(before), model.node_place.resize(before);
+    return false;
+  }
+  for (const Findings& f : found) findings.add(f);
+  return true;
+}
+
+tl::expected<void, Fault> read_one_by_one(const Document& d, const Dataset& dataset, Model& model, Findings& findings) {
+  std::vector<std::int64_t> scratch;
+  const NodeLayout layout = node_layout_of(dataset.number);
+  std::size_t at = skip_blank_lines(d.lines, dataset.body, dataset.body_end);
+  while (at < dataset.body_end) {
+    const auto record = node_record(d.lines, at, dataset.body_end, layout, scratch);
+    if (!record) return tl::unexpected(record.error());
+    if (record->label < 0)
+      return tl::unexpected(
+          Fault{ErrorCode::kMalformed, at, "node label " + std::to_string(record->label) + " is negative", {}});
+    if (!record->columns) findings.tokens.add(at);
+    if (record->two_reals) findings.two_reals.add(at);
+    model.node_place.push_back(at);
+    model.node_label.push_back(record->label), model.position.push_back(record->position);
+    at = skip_blank_lines(d.lines, record->end, dataset.body_end);
+  }
+  return {};
+}
+
+}  // namespace
+
+tl::expected<NodeRecord, Fault> node_record(const LineScanner& lines, std::size_t begin, std::size_t limit,
+                                            NodeLayout layout, std::vector<std::int64_t>& scratch) {
+  const Line line = lines.at(begin, limit);
+  return layout == NodeLayout::kOneLine ? one_line_record(lines, line, limit, scratch)
+                                        : two_line_record(lines, line, limit, scratch);
+}
+
+tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, Model& model,
+                                     std::vector<Warning>& warnings) {
+  Findings findings;
+  const bool regular =
+      node_layout_of(dataset.number) == NodeLayout::kTwoLines && read_regular(d, dataset, model, findings);
+  if (!regular) {
+    findings = {};
+    if (auto done = read_one_by_one(d, dataset, model, findings); !done) return done;
+  }
+  if (findings.tokens.count > 0)
+    warnings.push_back(d.warning(
+        "free-format",
+        std::to_string(findings.tokens.count) + " node records are not in Fortran columns and were read by blanks",
+        findings.tokens.first));
+  if (findings.two_reals.count > 0)
+    warnings.push_back(d.warning("two-coordinates",
+                                 std::to_string(findings.two_reals.count) + " nodes have two coordinates; z is 0",
+                                 findings.two_reals.first));
+  return {};
+}
+
+}  // namespace meshgraft::unv
