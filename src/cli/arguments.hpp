@@ -1,0 +1,59 @@
+// The command line, understood: what to do, with which files and options.
+#pragma once
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft::cli {
+
+enum class Talk { kQuiet, kNormal, kVerbose };
+
+/// What all commands know.
+struct Common {
+  Talk talk = Talk::kNormal;
+  unsigned threads = 0;  // 0 = all cores
+};
+
+struct MergeArguments {
+  std::string base;
+  std::vector<std::string> parts;
+  std::string output;
+  std::string report;  // empty: none
+  MergeOptions options;
+  bool allow_poor = false;  // write although a promise is broken
+  Common common;
+};
+
+struct CheckArguments {
+  std::string file;
+  double min_quality = 0.5;
+  Common common;
+};
+
+struct InfoArguments {
+  std::string file;
+  Common common;
+};
+
+struct ConvertArguments {
+  std::string input, output;
+  Common common;
+};
+
+/// The answer to --help and --version.
+struct Answer {
+  std::string text;
+};
+
+using Command = std::variant<Answer, MergeArguments, CheckArguments, InfoArguments, ConvertArguments>;
+
+/// Understands the arguments after the program's name. Errors: kUsage, naming the value, what is
+/// allowed, and the nearest existing name where one was mistyped.
+[[nodiscard]] Result<Command> command(std::span<const char* const> arguments);
+
+}  // namespace meshgraft::cli

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <span>
+
+#include "cli/commands.hpp"
+#include "cli/print.hpp"
+#include "cli/progress.hpp"
+#include "meshgraft/check.hpp"
+#include "meshgraft/unv.hpp"
+
+namespace meshgraft::cli {
+namespace {
+
+/// "14 (line 220)": the label the user knows, and where it stands in the file.
+template <class Id>
+std::string place(const Model& model, std::int64_t label, Id id) {
+  const Place at = place_of(model, id);
+  return at.line > 0 ? fmt::format("{} (line {})", label, at.line) : fmt::format("{}", label);
+}
+std::string named(const Model& model, ElementId e) {
+  return "element " + place(model, model.element_label[e.value], e);
+}
+std::string named(const Model& model, NodeId n) { return "node " + place(model, model.node_label[n.value], n); }
+template <class Id>
+std::string named(const Model& model, const std::pair<Id, Id>& pair) {
+  return named(model, pair.first) + " and " + named(model, pair.second);
+}
+
+/// The number of findings and the first places, one below the other.
+template <class T>
+std::string findings(const Model& model, std::uint64_t n, std::span<const T> places) {
+  std::string text = fmt::format("{}", n);
+  for (const T& p : places) text += "\n" + named(model, p);
+  if (n > places.size() && !places.empty()) text += fmt::format("\n... and {} more", n - places.size());
+  return text;
+}
+
+void print_quality(const Model& model, const CheckResult& r, double min_quality) {
+  if (r.faces == 0) return print_line("quality", "no triangles");
+  std::string text = fmt::format("worst Q {:.4f}, 1 % below {:.4f}, mean {:.4f}; {} of {} below {}", r.min_q, r.p01_q,
+                                 r.mean_q, r.below_min_quality, r.faces, min_quality);
+  for (const auto& [face, q] : r.worst_faces)
+    if (q < min_quality) text += fmt::format("\n{}: Q {:.4f}", named(model, face), q);
+  print_line("quality", text);
+}
+
+void print_check(const Model& model, const CheckResult& r, double min_quality) {
+  print_line("triangles", fmt::format("{}, area {}", r.faces, figure(r.area)));
+  print_line(
+      "edges",
+      fmt::format("mean length {}; {} free, {} non-manifold, {} sharp, {} between opposite orientations",
+                  figure(r.mean_edge_length), r.free_edges, r.non_manifold_edges, r.sharp_edges, r.flipped_edges));
+  print_quality(model, r, min_quality);
+  print_line("degenerate", findings<ElementId>(model, r.degenerate_faces.size(), r.degenerate_faces));
+  print_line("duplicate",
+             findings<std::pair<ElementId, ElementId>>(model, r.duplicate_faces.size(), r.duplicate_faces));
+  print_line("intersecting", findings<std::pair<ElementId, ElementId>>(model, r.intersections, r.intersecting_faces));
+  print_line("coincident", findings<std::pair<NodeId, NodeId>>(model, r.n_coincident_nodes, r.coincident_nodes));
+  print_line("unused nodes", findings<NodeId>(model, r.n_orphan_nodes, r.orphan_nodes));
+  print_line("groups", fmt::format("{}; {} empty; {} of things that do not exist", model.groups.size(), r.empty_groups,
+                                   counted(r.dangling_group_entries, "entry", "entries")));
+  print_line("verdict", r.sound() ? "sound: no degenerate or duplicate triangle, no intersection"
+                                  : "not sound: degenerate, duplicate or intersecting triangles");
+}
+
+}  // namespace
+
+ExitCode run(const CheckArguments& arguments) {
+  const bool quiet = arguments.common.talk == Talk::kQuiet;
+  Progress progress(!quiet);
+  progress.show("reading", 0);
+  const auto model = read_unv(arguments.file, {.threads = arguments.common.threads});
+  progress.clear();
+  if (!model) return failed(model.error());
+  if (!quiet) print_warnings(model->warnings, arguments.common.talk);
+
+  progress.show("checking", 0.5);
+  CheckOptions options;
+  options.min_quality = arguments.min_quality;
+  const CheckResult result = check(*model, options);
+  progress.clear();
+  if (!quiet) {
+    print_line("file", printable(arguments.file));
+    print_check(*model, result, arguments.min_quality);
+  }
+  return result.sound() ? kDone : kPromiseNotMet;
+}
+
+}  // namespace meshgraft::cli

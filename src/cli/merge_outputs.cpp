@@ -1,0 +1,76 @@
+#include "cli/merge_outputs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "cli/deferred_signals.hpp"
+#include "cli/outputs.hpp"
+#include "io/atomic_output.hpp"
+#include "meshgraft/unv.hpp"
+
+namespace meshgraft::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCarry = ".carry";  // the side file of write_unv
+
+/// A mesh and its side file under a name of their own, until they are renamed or dropped.
+class StagedMesh {
+ public:
+  explicit StagedMesh(std::string target)
+      : target_(std::move(target)), staged_(fmt::format("{}.{}.staged", target_, ::getpid())) {}
+  StagedMesh(const StagedMesh&) = delete;
+  StagedMesh& operator=(const StagedMesh&) = delete;
+  ~StagedMesh() {
+    std::error_code ignored;
+    fs::remove(staged_, ignored);
+    fs::remove(staged_ + kCarry, ignored);
+  }
+
+  [[nodiscard]] const std::string& path() const { return staged_; }
+
+  Result<void> publish() {
+    std::error_code error;
+    if (fs::exists(staged_ + kCarry, error)) fs::rename(staged_ + kCarry, target_ + kCarry, error);
+    if (!error) fs::rename(staged_, target_, error);
+    if (!error) return {};
+    return failure(ErrorCode::kCannotWrite, fmt::format("the finished file cannot be put there: {}", error.message()),
+                   "choose another name or directory", {target_, 0});
+  }
+
+ private:
+  std::string target_, staged_;
+};
+
+}  // namespace
+
+Result<void> write_report(const MergeArguments& arguments, const Report& report) {
+  if (arguments.report.empty()) return {};
+  auto output = AtomicOutput::create(arguments.report);
+  if (!output) return Failure(output.error());
+  Result<void> done = output->write(to_json(report));
+  return done ? output->commit() : done;
+}
+
+Result<void> write_outputs(const MergeArguments& arguments, const Model& base, std::span<const Model> parts,
+                           Merged& merged) {
+  const DeferredSignals whole_or_not_at_all;
+  if (arguments.report.empty() || !is_replaced(arguments.output)) {
+    const auto written = write_unv(base, parts, merged, arguments.output, merged.report);
+    return written ? write_report(arguments, merged.report) : written;
+  }
+  // The report needs figures of the writer, and either file may fail: the mesh waits for the report.
+  StagedMesh mesh(without_links(arguments.output));
+  Result<void> done = write_unv(base, parts, merged, mesh.path(), merged.report);
+  if (!done && done.error().place.file == mesh.path()) done.error().place.file = arguments.output;
+  if (done) done = write_report(arguments, merged.report);
+  return done ? mesh.publish() : done;
+}
+
+}  // namespace meshgraft::cli

@@ -1,0 +1,141 @@
+#include "cli/merge_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "cli/print.hpp"
+
+namespace meshgraft::cli {
+namespace {
+
+constexpr std::size_t kPoorShown = 3;
+
+/// The path of an input as the user gave it.
+std::string input_name(const MergeArguments& arguments, std::size_t input) {
+  if (input == 0) return printable(arguments.base);
+  return input <= arguments.parts.size() ? printable(arguments.parts[input - 1]) : fmt::format("input {}", input);
+}
+
+std::string junction(const Report& report, const MergeArguments& arguments) {
+  if (report.junction.empty()) return "nowhere";
+  double length = 0;
+  std::size_t closed = 0;
+  for (const PolylineSummary& p : report.junction) length += p.length, closed += p.closed ? 1 : 0;
+  std::string text = fmt::format("{}, total length {}; {} closed", counted(report.junction.size(), "curve", "curves"),
+                                 figure(length), closed);
+  for (std::size_t part = 1; part <= arguments.parts.size(); ++part) {
+    std::size_t n = 0;
+    double of_part = 0;
+    for (const PolylineSummary& p : report.junction)
+      if (std::ranges::find(p.inputs, part) != p.inputs.end()) ++n, of_part += p.length;
+    text += fmt::format(
+        "\n{}: {}", input_name(arguments, part),
+        n == 0 ? "meets nothing" : fmt::format("{}, length {}", counted(n, "curve", "curves"), figure(of_part)));
+  }
+  return text;
+}
+
+std::string zone(const Report& report, const MergeArguments& arguments) {
+  std::string text = fmt::format("{} removed, {} created; nodes: {} removed, {} created",
+                                 counted(report.zone.faces_removed, "triangle", "triangles"), report.zone.faces_created,
+                                 report.zone.nodes_removed, report.zone.nodes_created);
+  if (!report.zone.bandwidth.empty()) text += "\nneighbourhoods remeshed:";
+  for (std::size_t k = 0; k < report.zone.bandwidth.size(); ++k)
+    text += fmt::format("{} {} of {}", k == 0 ? "" : ",", report.zone.bandwidth[k], input_name(arguments, k));
+  if (report.zone.widened > 0) text += fmt::format("; widened {}", counted(report.zone.widened, "time", "times"));
+  return text;
+}
+
+std::string quality(const Report& report, const MergeArguments& arguments) {
+  const QualitySummary& q = report.quality;
+  if (q.faces == 0) return "no new triangles";
+  const double wanted = arguments.options.min_quality;
+  std::string text =
+      fmt::format("worst Q {:.3f}, mean {:.3f}; {} of {} below {}", q.min, q.mean, q.below, q.faces, wanted);
+  std::size_t shown = 0;
+  for (const QualityPlace& p : q.worst) {
+    if (p.q >= wanted || shown++ == kPoorShown) break;
+    text += fmt::format("\nelement {} at ({}, {}, {}): Q {:.3f}{}{}", p.element, figure(p.at.x), figure(p.at.y),
+                        figure(p.at.z), p.q, p.cause.empty() ? "" : "; ", p.cause);
+  }
+  return text;
+}
+
+std::string surface(const Report& report) {
+  return fmt::format("new mesh at most {} from that of the inputs ({:.2g} % of the edge length there)",
+                     figure(report.fidelity.max_distance), 100 * report.fidelity.max_distance_relative);
+}
+
+bool changed(const GroupEntry& g) {
+  return g.rule != "untouched" || g.members_before != g.members_after || g.area_before != g.area_after ||
+         g.length_before != g.length_after;
+}
+
+std::string groups(const Report& report) {
+  const auto n = std::ranges::count_if(report.groups, changed);
+  const auto lost = std::ranges::count_if(
+      report.groups, [](const GroupEntry& g) { return g.members_before > 0 && g.members_after == 0; });
+  return fmt::format("{} untouched, {} with changed members, {} emptied",
+                     static_cast<std::ptrdiff_t>(report.groups.size()) - n, n - lost, lost);
+}
+
+std::string labels(const Report& report) {
+  if (report.labels.empty()) return "all kept";
+  std::size_t nodes = 0;
+  std::set<std::pair<std::uint32_t, std::int64_t>> shifts;
+  for (const LabelShift& l : report.labels) nodes += l.kind == "node" ? 1 : 0, shifts.emplace(l.input, l.to - l.from);
+  std::string text =
+      fmt::format("base kept; of the parts, {} and {} moved where taken already:", counted(nodes, "node", "nodes"),
+                  counted(report.labels.size() - nodes, "element", "elements"));
+  for (const auto& [input, shift] : shifts) text += fmt::format(" +{} (part {})", shift, input);
+  return text;
+}
+
+std::string moved(const Report& report) {
+  if (report.moved.empty()) return "no node of an input";
+  const auto furthest = std::ranges::max_element(report.moved, {}, &MovedEntry::distance);
+  return fmt::format("{} of the parts, at most {} (node {} of part {})", counted(report.moved.size(), "node", "nodes"),
+                     figure(furthest->distance), furthest->node, furthest->input);
+}
+
+void print_details(const Report& report) {
+  std::string text;
+  for (const auto& [stage, seconds] : report.timings)
+    text += fmt::format("{}{:<16}{:8.3f} s", text.empty() ? "" : "\n", stage, seconds);
+  if (!text.empty()) print_line("timings", text);
+  print_line("peak memory", bytes(report.peak_memory_bytes));
+  text.clear();
+  for (const GroupEntry& g : report.groups) {
+    if (!changed(g)) continue;
+    text += fmt::format("{}{} ({}): {} -> {} members", text.empty() ? "" : "\n", printable(g.name), g.kind,
+                        g.members_before, g.members_after);
+    if (g.area_before > 0 || g.area_after > 0)
+      text += fmt::format(", area {} -> {}", figure(g.area_before), figure(g.area_after));
+    if (g.length_before > 0 || g.length_after > 0)
+      text += fmt::format(", length {} -> {}", figure(g.length_before), figure(g.length_after));
+    text += "; " + g.rule;
+  }
+  if (!text.empty()) print_line("ledger", text);
+}
+
+}  // namespace
+
+void print_summary(const Report& report, const MergeArguments& arguments, std::string_view written) {
+  print_line("parts met", junction(report, arguments));
+  print_line("zone", zone(report, arguments));
+  print_line("quality", quality(report, arguments));
+  print_line("surface", surface(report));
+  print_line("groups", groups(report));
+  print_line("labels", labels(report));
+  print_line("moved", moved(report));
+  print_line("untouched", fmt::format("{} nodes, {} elements, {} of text", report.untouched.nodes,
+                                      report.untouched.elements, bytes(report.untouched.bytes)));
+  print_line("warnings", fmt::format("{}", report.warnings.size()));
+  if (arguments.common.talk == Talk::kVerbose) print_details(report);
+  print_line("written", written);
+}
+
+}  // namespace meshgraft::cli

@@ -1,0 +1,28 @@
+// Checks of the outputs before any work is done.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "meshgraft/result.hpp"
+
+namespace meshgraft::cli {
+
+/// A file the user named, and what for.
+struct NamedFile {
+  std::string role;  // "-o", "--report", "BASE"
+  std::string path;
+};
+
+/// Errors: kUsage if an output is an input or another output (links are followed); kCannotWrite if
+/// its directory does not exist or admits no new file, or if it is a directory or write-protected.
+[[nodiscard]] Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
+
+/// Whether writing to `path` makes a new file that takes the place of an old one. Devices and pipes are
+/// written in place.
+[[nodiscard]] bool is_replaced(const std::string& path);
+
+/// The file itself where `path` is a symbolic link to one: replacing that keeps the link.
+[[nodiscard]] std::string without_links(const std::string& path);
+
+}  // namespace meshgraft::cli
