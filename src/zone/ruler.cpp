@@ -8,10 +8,12 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kSampleStep = 0.25;  // share of the size between two samples of it
-constexpr double kSampleError = 0.1;  // relative change of size between neighbours that asks for one more
-constexpr int kMaxHalvings = 12;      // of a sample interval
-constexpr int kMaxRounds = 12;        // of refinement for the sagitta; each at least mends the worst piece
+constexpr double kSampleStep = 0.125;  // share of the size between two samples of it where it changes
+constexpr double kSteadyStep = 0.5;    // and where it does not
+constexpr double kSteady = 0.1;        // relative change between two samples up to which it does not
+constexpr double kTie = 1 + 1e-7;      // see its uses
+constexpr int kMaxHalvings = 12;       // of a sample interval
+constexpr int kMaxRounds = 24;         // of refinement for the sagitta; each at least mends the worst piece
 
 /// Wanted size along the curve; 1 / size is linear between samples.
 struct Sampling {
@@ -73,9 +75,10 @@ class Ruler {
   }
 
   void halve(double s0, double size0, double s1, double size1, int depth) {
-    const bool fine = s1 - s0 <= kSampleStep * std::min(size0, size1) ||
-                      (depth > 0 && s1 - s0 <= std::min(size0, size1) &&
-                       std::abs(size1 - size0) <= kSampleError * std::min(size0, size1));
+    // Lengths and shares of sizes are often equal by design; rounding shall not decide then.
+    const double length = (s1 - s0) * kTie, least = std::min(size0, size1);
+    const bool steady = depth > 0 && length <= kSteadyStep * least && std::abs(size1 - size0) <= kSteady * least;
+    const bool fine = length <= kSampleStep * least || steady;
     if (fine || depth == kMaxHalvings) {
       sampling_.s.push_back(s1), sampling_.size.push_back(size1);
       return;
@@ -102,7 +105,7 @@ class Ruler {
   /// The n >= 1 for which units / n is nearest to 1 in ratio.
   static std::size_t nearest_count(double units) {
     const double low = std::max(1.0, std::floor(units));
-    return static_cast<std::size_t>(units * units > low * (low + 1) ? low + 1 : low);
+    return static_cast<std::size_t>(units * units > kTie * low * (low + 1) ? low + 1 : low);
   }
 
   struct Sag {
@@ -135,8 +138,11 @@ class Ruler {
       const double sides = std::max(sag(nodes[k - 1], kink).share, sag(kink, nodes[k]).share);
       if (sides < 0.25 * whole.share)
         stops.push_back(kink);
-      else
-        refine(nodes[k - 1], nodes[k], std::clamp(options_.max_sagitta / whole.share, 0.5, 0.9), factor);
+      else {
+        // A piece much shorter than the size is split only by a size in proportion to itself.
+        const double m = std::min(1.0, sampling_.units_at(nodes[k]) - sampling_.units_at(nodes[k - 1]));
+        refine(nodes[k - 1], nodes[k], m * std::clamp(options_.max_sagitta / whole.share, 0.5, 0.9), factor);
+      }
     }
     if (good) return true;
     for (std::size_t i = 0; i < factor.size(); ++i) sampling_.size[i] *= factor[i];
@@ -148,7 +154,7 @@ class Ruler {
 
   void refine(double s0, double s1, double by, std::vector<double>& factor) const {
     for (std::size_t i = 0; i < factor.size(); ++i)
-      if (sampling_.s[i] >= s0 && sampling_.s[i] <= s1) factor[i] = by;
+      if (sampling_.s[i] >= s0 && sampling_.s[i] <= s1) factor[i] = std::min(factor[i], by);
   }
 
   void grade() {

@@ -21,7 +21,7 @@ struct RulerOptions {
 ///   size       wanted edge length at arc length s and point p, > 0
 ///
 ///  (1) Spacing is even in units of `size`: with m = the integral of ds / size over a piece, m is the
-///      same for all pieces, up to 2 %.
+///      same for all pieces, up to 5 %.
 ///  (2) No short last piece: the number of pieces is the one for which m is nearest to 1 in ratio, so
 ///      that m is in [0.70, 1.42] on every curve with a total of at least 0.71, and nearer to 1 the more
 ///      pieces there are. A curve that ends where it starts gets at least 3 pieces.
