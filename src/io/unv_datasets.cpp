@@ -28,7 +28,9 @@ std::vector<std::size_t> delimiter_lines(const Document& d) {
     const std::size_t last = std::min((piece + 1) * kScanPiece, text.size());
     if (piece > 0) at = d.lines.at(at - 1).next;
     while (at < last) {
-      if (text.compare(at, start.size(), start) == 0 && d.is_delimiter(d.lines.at(at))) found[piece].push_back(at);
+      if (at + start.size() <= text.size() && text[at + start.size() - 1] == start.back() &&
+          text.compare(at, start.size(), start) == 0 && d.is_delimiter(d.lines.at(at)))
+        found[piece].push_back(at);
       const void* end = std::memchr(text.data() + at, d.lines.terminator, text.size() - at);
       if (end == nullptr) break;
       at = static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
@@ -152,11 +154,25 @@ class StateMachine {
     inside_ = false;
   }
 
+  /// No record of nodes, elements or groups is a lone -1 (the name of a group apart): as last line
+  /// of such a dataset it is the closing delimiter, put into other columns by hand.
+  bool close_at_misplaced(std::size_t body_end) {
+    if (current().kind() == DatasetKind::kOther || body_end <= current().body) return false;
+    std::size_t begin = body_end - 1;
+    while (begin > current().body && d_.lines.text[begin - 1] != d_.lines.terminator) --begin;
+    if (trimmed(d_.lines.view(d_.lines.at(begin, body_end))) != "-1") return false;
+    if (current().kind() == DatasetKind::kGroups && is_group_name_place(d_, current(), begin)) return false;
+    warn("misplaced-delimiter",
+         "the closing delimiter of dataset " + std::to_string(current().number) + " is not in columns 5-6", begin);
+    close(begin, body_end, true);
+    return true;
+  }
+
   tl::expected<void, Fault> delimiter(const Line& line) {
     const bool last = line.next >= d_.lines.text.size();
     const Line next = last ? Line{} : d_.lines.at(line.next);
     if (const auto number = last ? std::nullopt : number_of(d_, next)) {
-      if (inside_) {
+      if (inside_ && !close_at_misplaced(line.begin)) {
         warn("missing-delimiter",
              "dataset " + std::to_string(current().number) + " and dataset " + std::to_string(number->value) +
                  " have one delimiter between them",
@@ -169,7 +185,7 @@ class StateMachine {
     if (!last && !d_.is_delimiter(next) && current().kind() == DatasetKind::kGroups &&
         is_group_name_place(d_, current(), line.begin))
       return {};
-    close(line.begin, line.next, true);
+    if (!close_at_misplaced(line.begin)) close(line.begin, line.next, true);
     return {};
   }
 
@@ -189,6 +205,7 @@ class StateMachine {
 
   void leave_unclosed() {
     const std::size_t end = d_.lines.text.size();
+    if (close_at_misplaced(end)) return;
     warn("missing-delimiter",
          "the file ends inside dataset " + std::to_string(current().number) + ", which has no closing delimiter",
          current().number_line);

@@ -77,6 +77,10 @@ class Document final : public Source {
   std::string_view line_end = "\n";
   std::string delimiter;  // empty: columns 5-6; else the spelling learned from the first line
 
+  /// Whether the line end of this file stands at `at`, which must leave room for it.
+  [[nodiscard]] bool ends_line(std::size_t at) const {
+    return lines.text[at] == line_end[0] && (line_end.size() == 1 || lines.text[at + 1] == line_end[1]);
+  }
   [[nodiscard]] bool is_delimiter(const Line& line) const;
 
   std::vector<Dataset> datasets;                               // in file order

@@ -77,9 +77,10 @@ struct FastRecord {
 class FastParser {
  public:
   FastParser(const Document& d, std::size_t limit, ElementLayout layout)
-      : text_(d.lines.text.data()),
+      : d_(d),
+        text_(d.lines.text.data()),
         limit_(limit),
-        line_end_(d.line_end),
+        feed_(d.line_end.size()),
         fields_(header_fields(layout)),
         beam_fields_(layout == ElementLayout::k780 ? 5 : 3),
         layout_(layout) {}
@@ -113,21 +114,20 @@ class FastParser {
     if (!ends_line(at, width)) return false;
     for (std::size_t k = 0; k < count; ++k)
       if (!fast_integer(text_ + at + k * kIntegerWidth, values[k])) return false;
-    at += width + line_end_.size();
+    at += width + feed_;
     return true;
   }
   [[nodiscard]] bool ends_line(std::size_t at, std::size_t width) const {
-    return limit_ - at >= width + line_end_.size() &&
-           std::memcmp(text_ + at + width, line_end_.data(), line_end_.size()) == 0;
+    return limit_ - at >= width + feed_ && d_.ends_line(at + width);
   }
   [[nodiscard]] bool begins_record(std::size_t at) const {
     const std::size_t width = fields_ * kIntegerWidth;
     return ends_line(at, width) && text_[at + width - kIntegerWidth - 1] != ' ';
   }
 
+  const Document& d_;
   const char* text_;
-  std::size_t limit_;
-  std::string_view line_end_;
+  std::size_t limit_, feed_;
   std::size_t fields_, beam_fields_;
   ElementLayout layout_;
 };

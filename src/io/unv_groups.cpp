@@ -171,7 +171,7 @@ class RegularReader {
     for (std::uint64_t done = 0; done < piece.count;) {
       for (std::size_t k = 0; k < per_line && done < piece.count; ++k, ++done, at += width)
         if (!entity(at, f)) return false;
-      if (std::memcmp(at, d_.line_end.data(), d_.line_end.size()) != 0) return false;
+      if (!d_.ends_line(static_cast<std::size_t>(at - d_.lines.text.data()))) return false;
       at += d_.line_end.size();
     }
     return true;

@@ -106,14 +106,13 @@ tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const 
 }
 
 /// The usual record, in columns and with nothing else on its lines.
-bool fast_record(const LineScanner& lines, std::size_t begin, std::size_t limit, std::string_view line_end,
-                 std::int64_t& label, Vec3& position, std::size_t& end) {
-  const std::size_t feed = line_end.size();
+bool fast_record(const Document& d, std::size_t begin, std::size_t limit, std::int64_t& label, Vec3& position,
+                 std::size_t& end) {
+  const std::size_t feed = d.line_end.size();
   if (limit - begin < kHeaderColumns + kRealColumns + 2 * feed) return false;
-  const char* header = lines.text.data() + begin;
+  const char* header = d.lines.text.data() + begin;
   const char* reals = header + kHeaderColumns + feed;
-  if (std::memcmp(header + kHeaderColumns, line_end.data(), feed) != 0) return false;
-  if (std::memcmp(reals + kRealColumns, line_end.data(), feed) != 0) return false;
+  if (!d.ends_line(begin + kHeaderColumns) || !d.ends_line(begin + kHeaderColumns + feed + kRealColumns)) return false;
   std::int64_t other = 0;
   if (!fast_integer(header, label)) return false;
   for (std::size_t k = 1; k < kHeaderFields; ++k)
@@ -159,7 +158,7 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
     std::size_t i = before + (first_line[k] + 1) / 2;
     for (const std::size_t last = before + (first_line[k + 1] + 1) / 2; i < last && good; ++i) {
       model.node_place[i] = at;
-      if (fast_record(d.lines, at, dataset.body_end, d.line_end, model.node_label[i], model.position[i], at)) continue;
+      if (fast_record(d, at, dataset.body_end, model.node_label[i], model.position[i], at)) continue;
       const auto record = node_record(d.lines, at, dataset.body_end, NodeLayout::kTwoLines, scratch);
       if (!record || record->label < 0) {
         good = false;
