@@ -1,0 +1,174 @@
+#include "zone/neighbourhoods.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "complexes.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+using test::joined;
+
+struct Scene {
+  Complex original;
+  Corefined corefined;
+  GroupSets groups;
+  Brep brep;
+  SizeField size;
+};
+
+/// Two models that meet conformingly, as if corefined.
+Scene scene(std::span<const Model> models, std::optional<double> junction_size = {}) {
+  test::Joined j = joined(models);
+  Corefined c;
+  c.complex = j.complex;
+  c.junction_edges = j.junction_edges;
+  c.touched = j.touched;
+  for (std::uint32_t m = 1; m < models.size(); ++m) c.met.push_back({0, m});
+  Brep brep = read_brep(c.complex, c.junction_edges, {}, j.groups);
+  SizeOptions options;
+  options.junction_size = junction_size;
+  SizeField size(j.complex, c.complex, brep, options);
+  return {std::move(j.complex), std::move(c), std::move(j.groups), std::move(brep), std::move(size)};
+}
+
+Scene two_plates(std::optional<double> junction_size = {}) {
+  return scene(std::array{scenes::plate({0, 0, 0}, {20, 0, 0}, {0, 20, 0}, 1),
+                          scenes::plate({0, 10, 0}, {20, 0, 0}, {0, 0, 10}, 1, "WALL")},
+               junction_size);
+}
+
+/// The definition: faces of one mesh with a vertex of the previous neighbourhood.
+std::vector<std::uint8_t> brute_force(const Corefined& c, int n) {
+  std::vector<std::uint8_t> in = c.touched;
+  for (int k = 1; k < n; ++k) {
+    std::set<std::pair<std::uint32_t, VertexId>> nodes;
+    for (std::size_t f = 0; f < in.size(); ++f)
+      if (in[f])
+        for (const VertexId v : c.complex.face[f]) nodes.insert({c.complex.component[f], v});
+    for (std::size_t f = 0; f < in.size(); ++f)
+      for (const VertexId v : c.complex.face[f])
+        if (nodes.contains({c.complex.component[f], v})) in[f] = 1;
+  }
+  return in;
+}
+
+TEST(Neighbourhoods, AGivenBandwidthIsTakenOnAllMeshes) {
+  const Scene s = two_plates();
+  for (const int n : {1, 2, 4}) {
+    const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, n);
+    EXPECT_EQ(zone.in_zone, brute_force(s.corefined, n));
+    EXPECT_EQ(zone.bandwidth, (std::vector{n, n}));
+  }
+}
+
+TEST(Neighbourhoods, AlikeMeshesGiveTwoEach) {
+  const Scene s = two_plates();
+  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
+  EXPECT_EQ(zone.bandwidth, (std::vector{2, 2}));
+  EXPECT_EQ(zone.in_zone, brute_force(s.corefined, 2));
+}
+
+TEST(Neighbourhoods, TheChangeOfSizeFitsIn) {
+  const Scene s = two_plates(0.2);
+  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
+    const auto c = s.corefined.complex.corners(FaceId(f));
+    const Vec3 p = (c[0] + c[1] + c[2]) / 3.0;
+    const double d = std::max(std::abs(p.y - 10), p.z);
+    if (d < (1.1 - 0.2) / 0.4) {
+      EXPECT_TRUE(zone.in_zone[f]) << d;
+    }
+    if (d > 6) {
+      EXPECT_FALSE(zone.in_zone[f]) << d;
+    }
+  }
+}
+
+TEST(Neighbourhoods, FrozenFacesStayOut) {
+  Scene s = two_plates();
+  const VertexId v = test::vertex_at(s.corefined.complex, {5, 10, 0});
+  s.corefined.complex.state[v.value] = VertexState::kFrozen;
+  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 3);
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+    if (std::ranges::count(s.corefined.complex.face[f], v) > 0) {
+      EXPECT_FALSE(zone.in_zone[f]);
+    }
+}
+
+/// Cuts face f of the complex at its centre, as corefinement would.
+void cut(Corefined& c, FaceId f) {
+  Complex& x = c.complex;
+  const auto corners = x.corners(f);
+  const VertexId v = x.add_vertex((corners[0] + corners[1] + corners[2]) / 3.0, {}, VertexState::kOpen, {});
+  x.vertex_groups.back() = GroupSets::kEmpty;
+  const auto old = x.face[f.value];
+  x.face[f.value] = {old[0], old[1], v};
+  x.add_face({old[1], old[2], v}, x, f), x.add_face({old[2], old[0], v}, x, f);
+  c.touched.resize(x.n_faces(), c.touched[f.value]);
+}
+
+TEST(Neighbourhoods, PiecesOfAFaceGoTogetherAndCountAsOne) {
+  Scene s = two_plates();
+  Corefined pieces = s.corefined;
+  const std::size_t m = pieces.complex.n_faces();
+  for (std::size_t f = 0; f < m; f += 3) cut(pieces, FaceId(f));
+  GroupSets groups = s.groups;
+  const Brep brep = read_brep(pieces.complex, pieces.junction_edges, {}, groups);
+  const SizeField size(s.original, pieces.complex, brep, {});
+  for (const std::optional<int> n : {std::optional<int>(), std::optional<int>(3)}) {
+    const Zone whole = neighbourhoods(s.corefined, s.brep, s.size, n);
+    const Zone cut_up = neighbourhoods(pieces, brep, size, n);
+    EXPECT_EQ(whole.bandwidth, cut_up.bandwidth);
+    for (std::size_t f = 0; f < cut_up.in_zone.size(); ++f) {
+      const auto original = std::ranges::find(s.original.parent, pieces.complex.parent[f]) - s.original.parent.begin();
+      EXPECT_EQ(cut_up.in_zone[f], whole.in_zone[static_cast<std::size_t>(original)]);
+    }
+  }
+}
+
+TEST(Widen, AddsOneNeighbourhoodNearThePlaceOnly) {
+  const Scene s = two_plates();
+  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
+  const Zone before = zone;
+  const Vec3 place{5, 8.1, 0};
+  ASSERT_TRUE(widen(zone, s.corefined, std::array{place}, 5));
+  const auto reach = brute_force(s.corefined, 3);
+  std::size_t added = 0;
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
+    EXPECT_GE(zone.in_zone[f], before.in_zone[f]);
+    if (zone.in_zone[f] == before.in_zone[f]) continue;
+    ++added;
+    EXPECT_TRUE(reach[f]);
+    const auto c = s.corefined.complex.corners(FaceId(f));
+    EXPECT_LT(distance(place, (c[0] + c[1] + c[2]) / 3.0), 3);
+  }
+  EXPECT_GT(added, 0u);
+  EXPECT_EQ(zone.bandwidth[0], 3);
+  EXPECT_EQ(zone.bandwidth[1], 2);
+}
+
+TEST(Widen, StopsAtTheLimit) {
+  const Scene s = two_plates();
+  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
+  int rounds = 0;
+  while (widen(zone, s.corefined, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
+  const auto reach = brute_force(s.corefined, 4);
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f) EXPECT_LE(zone.in_zone[f], reach[f]);
+}
+
+TEST(Widen, NeverTakesFrozenFaces) {
+  Scene s = two_plates();
+  for (auto& state : s.corefined.complex.state) state = VertexState::kFrozen;
+  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
+  EXPECT_FALSE(widen(zone, s.corefined, std::array{Vec3{10, 9, 0}}, 8));
+}
+
+}  // namespace
+}  // namespace meshgraft
