@@ -18,19 +18,21 @@ std::string place(const Model& model, std::int64_t label, Id id) {
   return at.line > 0 ? fmt::format("{} (line {})", label, at.line) : fmt::format("{}", label);
 }
 std::string named(const Model& model, ElementId e) {
-  return "element " + place(model, model.element_label[e.value], e);
+  return fmt::format("element {}", place(model, model.element_label[e.value], e));
 }
-std::string named(const Model& model, NodeId n) { return "node " + place(model, model.node_label[n.value], n); }
+std::string named(const Model& model, NodeId n) {
+  return fmt::format("node {}", place(model, model.node_label[n.value], n));
+}
 template <class Id>
 std::string named(const Model& model, const std::pair<Id, Id>& pair) {
-  return named(model, pair.first) + " and " + named(model, pair.second);
+  return fmt::format("{} and {}", named(model, pair.first), named(model, pair.second));
 }
 
 /// The number of findings and the first places, one below the other.
 template <class T>
 std::string findings(const Model& model, std::uint64_t n, std::span<const T> places) {
   std::string text = fmt::format("{}", n);
-  for (const T& p : places) text += "\n" + named(model, p);
+  for (const T& p : places) text += fmt::format("\n{}", named(model, p));
   if (n > places.size() && !places.empty()) text += fmt::format("\n... and {} more", n - places.size());
   return text;
 }
