@@ -253,6 +253,27 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
   return id;
 }
 
+std::optional<VertexId> Editor::insert(FaceId f, const Foot& at) {
+  const LocalFace old = mesh_.face(f);
+  const Mark start = mark();
+  LocalVertex v;
+  v.position = at.point, v.dimension = Dimension::kSheet, v.fixed = false;
+  v.sheet = old.sheet, v.beneath = at.face;
+  const VertexId id = mesh_.add_vertex(v);
+  const Vec3 normal = area_vector(mesh_.corners(f));
+  mesh_.remove_face(f);
+  for (std::size_t k = 0; k < 3; ++k) {
+    LocalFace piece = old;
+    piece.v = {old.v[k], old.v[(k + 1) % 3], id};
+    piece.curve = {old.curve[k], CurveId{}, CurveId{}};
+    const FaceId made = mesh_.add_face(piece);
+    if (signed_aspect_ratio(mesh_.corners(made), normal) > kFlat) continue;
+    undo(start);
+    return std::nullopt;
+  }
+  return id;
+}
+
 std::optional<double> Editor::middle_arc(VertexId a, VertexId b, CurveId curve) const {
   for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
     if (mesh_.vertex(v).curve != curve) continue;

@@ -10,7 +10,7 @@ constexpr double kShort = 0.65;   // an edge shorter than this share of the want
 constexpr double kLong = 1.45;    // an edge longer than this share is split
 constexpr double kTooLong = 1.7;  // no removal may leave an edge longer than this share
 constexpr double kUsable = 0.05;  // least Q a removal for size may leave, to be mended later
-constexpr double kGood = 0.6;     // faces of the inputs better than this are left alone
+constexpr double kGood = 0.5;     // faces of the inputs better than this are left alone
 
 double shortest_share(Editor& editor, VertexId v) {
   double least = std::numeric_limits<double>::infinity();

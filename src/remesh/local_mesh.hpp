@@ -60,6 +60,7 @@ class LocalMesh {
   [[nodiscard]] const LocalFace& face(FaceId f) const { return faces_[f.value]; }
   [[nodiscard]] Vec3 position(VertexId v) const { return vertices_[v.value].position; }
   [[nodiscard]] std::array<Vec3, 3> corners(FaceId f) const;
+  [[nodiscard]] std::size_t n_sheets() const { return brep_.sheets.size(); }
   [[nodiscard]] const Sheet& sheet(SheetId s) const { return brep_.sheets[s.value]; }
   /// Faces on a vertex, no order promised (but the same in every run).
   [[nodiscard]] std::span<const FaceId> star(VertexId v) const { return star_[v.value]; }

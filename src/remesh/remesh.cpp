@@ -1,6 +1,7 @@
 #include "remesh/remesh.hpp"
 
 #include "remesh/editor.hpp"
+#include "remesh/front.hpp"
 #include "remesh/improve.hpp"
 #include "remesh/resample.hpp"
 #include "remesh/result.hpp"
@@ -8,10 +9,9 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kSizePasses = 3;        // of removing, splitting, flipping and moving
-constexpr int kSweeps = 2;            // of moving in each of them
-constexpr double kComfortable = 0.7;  // Q below which a face is worth mending for the sake of the mean
-constexpr double kMargin = 0.05;      // above the wanted Q, so that rounding in files cannot spoil it
+constexpr int kSweeps = 2;             // of flipping and moving after the front
+constexpr double kComfortable = 0.65;  // Q below which a face is mended for the sake of the mean
+constexpr double kMargin = 0.05;       // above the wanted Q, so that rounding in files cannot spoil it
 
 }  // namespace
 
@@ -19,13 +19,12 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
                 const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
   Editor editor(complex, brep, in_zone, sizing, options);
   resample_curves(editor, complex, brep, sizing);
-  editor.forget();
-  for (int pass = 0; pass < kSizePasses; ++pass) {
-    fit_to_size(editor);
-    relax_all(editor, kSweeps);
-  }
-  mend(editor, kComfortable);
+  advance_front(editor);
   relax_all(editor, kSweeps);
+  fit_to_size(editor);
+  relax_all(editor, 1);
+  mend(editor, kComfortable);
+  relax_all(editor, 1);
   mend(editor, options.min_quality + kMargin);
   return to_remeshed(editor, complex, brep, in_zone, groups);
 }
