@@ -20,6 +20,30 @@ void for_each_kept_run(std::size_t n, const std::vector<Id>& removed, F&& f) {
   if (n > first) f(first, n);
 }
 
+/// Appends part of an array, each value through a table; a table that changes nothing costs nothing.
+template <class Id>
+void append(std::vector<Id>& to, const std::vector<Id>& from, std::size_t first, std::size_t last,
+            const std::vector<Id>& table, bool is_identity) {
+  const auto low = from.begin() + static_cast<std::ptrdiff_t>(first);
+  to.insert(to.end(), low, low + static_cast<std::ptrdiff_t>(last - first));
+  if (is_identity) return;
+  for (Id& id : std::span(to).last(last - first))
+    if (id.valid()) id = table[id.value];
+}
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from, std::size_t first, std::size_t last) {
+  const auto low = from.begin() + static_cast<std::ptrdiff_t>(first);
+  to.insert(to.end(), low, low + static_cast<std::ptrdiff_t>(last - first));
+}
+
+template <class Id>
+bool is_identity(const std::vector<Id>& table) {
+  for (std::size_t k = 0; k < table.size(); ++k)
+    if (table[k] != Id(k)) return false;
+  return true;
+}
+
 class Assembly {
  public:
   Assembly(Inputs inputs, const Merged& merged)
@@ -88,13 +112,13 @@ class Assembly {
     const Model& model = *inputs_[k];
     const std::vector<GroupSetId> sets = merged_sets(k);
     std::vector<NodeId>& ids = node_ids_.emplace_back(model.n_nodes());
+    const bool same_sets = is_identity(sets);
     for_each_kept_run(model.n_nodes(), graft_.removed_nodes[k], [&](std::size_t first, std::size_t last) {
-      const auto low = static_cast<std::ptrdiff_t>(first), high = static_cast<std::ptrdiff_t>(last);
       std::size_t id = out_.position.size();
       for (std::size_t n = first; n < last; ++n) ids[n] = NodeId(id++);
-      out_.position.insert(out_.position.end(), model.position.begin() + low, model.position.begin() + high);
-      out_.node_label.insert(out_.node_label.end(), model.node_label.begin() + low, model.node_label.begin() + high);
-      for (std::size_t n = first; n < last; ++n) out_.node_groups.push_back(sets[model.node_groups[n].value]);
+      append(out_.position, model.position, first, last);
+      append(out_.node_label, model.node_label, first, last);
+      append(out_.node_groups, model.node_groups, first, last, sets, same_sets);
     });
     for (const NodeId n : labels_.shifted_nodes[k])
       if (ids[n.value].valid()) out_.node_label[ids[n.value].value] += labels_.node_shift[k];
@@ -139,20 +163,15 @@ class Assembly {
     std::vector<AttributesId>& attribute_ids = attribute_ids_.emplace_back();
     for (const ElementAttributes& a : model.attributes) attribute_ids.push_back(attributes(a));
     const std::size_t first_element = out_.element_label.size();
+    const bool same_sets = is_identity(sets), same_attributes = is_identity(attribute_ids);
     for_each_kept_run(model.n_elements(), graft_.removed_elements[k], [&](std::size_t first, std::size_t last) {
-      const auto low = static_cast<std::ptrdiff_t>(first), high = static_cast<std::ptrdiff_t>(last);
-      out_.element_label.insert(out_.element_label.end(), model.element_label.begin() + low,
-                                model.element_label.begin() + high);
+      append(out_.element_label, model.element_label, first, last);
+      append(out_.element_attributes, model.element_attributes, first, last, attribute_ids, same_attributes);
+      append(out_.element_groups, model.element_groups, first, last, sets, same_sets);
       const auto ahead = static_cast<std::uint32_t>(out_.nodes.size()) - model.first_node[first];  // modulo 2^32
-      for (std::size_t e = first; e < last; ++e) {
-        out_.element_attributes.push_back(attribute_ids[model.element_attributes[e].value]);
-        out_.element_groups.push_back(sets[model.element_groups[e].value]);
-        out_.first_node.push_back(model.first_node[e + 1] + ahead);
-      }
-      for (std::uint32_t i = model.first_node[first]; i < model.first_node[last]; ++i) {
-        const NodeId n = model.nodes[i];
-        out_.nodes.push_back(n.valid() ? ids[n.value] : n);
-      }
+      append(out_.first_node, model.first_node, first + 1, last + 1);
+      for (std::uint32_t& offset : std::span(out_.first_node).last(last - first)) offset += ahead;
+      append(out_.nodes, model.nodes, model.first_node[first], model.first_node[last], ids, false);
     });
     first_of_input_.push_back(first_element);
     for (const ElementId e : labels_.shifted_elements[k])

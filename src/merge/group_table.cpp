@@ -70,6 +70,7 @@ GroupTable group_table(Inputs inputs) { return Builder(inputs).build(); }
 SetTranslation::SetTranslation(Inputs inputs, const GroupTable& table, GroupSets& merged)
     : inputs_(inputs), table_(&table), merged_(&merged) {
   for (const Model* model : inputs) known_.emplace_back(model->group_sets.size());
+  for (std::size_t s = 0; s < known_.front().size(); ++s) (*this)(0, GroupSetId(s));
 }
 
 GroupSetId SetTranslation::operator()(std::uint32_t input, GroupSetId set) {

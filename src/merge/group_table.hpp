@@ -20,7 +20,8 @@ struct GroupTable {
 ///      member (nodes or elements); failing that, the first of its name; failing that, it is new.
 [[nodiscard]] GroupTable group_table(Inputs inputs);
 
-/// Group sets of the inputs as sets of merged groups; each is translated once, on demand.
+/// Group sets of the inputs as sets of merged groups; each is translated once, on demand. Where
+/// `merged` is still empty, sets of the base keep their ids, so that its arrays can be copied.
 class SetTranslation {
  public:
   SetTranslation(Inputs inputs, const GroupTable& table, GroupSets& merged);

@@ -55,7 +55,7 @@ class Numbering {
     if (!labels.empty()) largest = std::max(largest, std::ranges::max(labels));
     std::int64_t by = 0;
     if (!clashing.empty()) {
-      const std::int64_t least = std::min<std::int64_t>(1, labels[clashing.front().value]);
+      const std::int64_t least = std::min<std::int64_t>(0, std::ranges::min(labels));
       for (by = 1; by <= largest - least; by *= 10) {
       }
       for (const Id id : clashing) largest = std::max(largest, labels[id.value] + by);

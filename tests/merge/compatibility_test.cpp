@@ -1,0 +1,113 @@
+#include "merge/compatibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "meshgraft/merge.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+Model plate(double size = 0.1) { return scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, size); }
+
+ErrorCode code_of(const Model& base, const Model& part, const MergeOptions& options = {}) {
+  const std::array<const Model*, 2> inputs{&base, &part};
+  const auto result = check_compatible(inputs, options);
+  EXPECT_FALSE(result.has_value());
+  return result ? ErrorCode::kPromiseBroken : result.error().code;
+}
+
+TEST(Compatibility, NonsenseInOptionsIsAUsageError) {
+  const Model a = plate(), b = plate();
+  const auto with = [](auto&& set) {
+    MergeOptions o;
+    set(o);
+    return o;
+  };
+  const double nan = std::nan("");
+  for (const MergeOptions& o :
+       {with([](auto& m) { m.contact_angle = 0; }), with([](auto& m) { m.contact_angle = 2; }),
+        with([&](auto& m) { m.contact_angle = nan; }), with([](auto& m) { m.tolerance.value = -1; }),
+        with([&](auto& m) { m.tolerance.value = nan; }), with([](auto& m) { m.tolerance.value = 0.51; }),
+        with([](auto& m) { m.size = 0; }), with([&](auto& m) { m.size = nan; }), with([](auto& m) { m.bandwidth = 0; }),
+        with([](auto& m) { m.min_quality = 1; }), with([](auto& m) { m.min_quality = -0.1; })})
+    EXPECT_EQ(code_of(a, b, o), ErrorCode::kUsage);
+}
+
+TEST(Compatibility, AModelWithoutTrianglesIsNamed) {
+  ModelBuilder builder;
+  const NodeId n0 = builder.add_node({0, 0, 0}), n1 = builder.add_node({1, 0, 0});
+  builder.add_line(n0, n1);
+  const Model beams = builder.build("beams.unv"), a = plate();
+  const std::array<const Model*, 2> inputs{&a, &beams};
+  const auto result = check_compatible(inputs, {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kNoFaces);
+  EXPECT_EQ(result.error().place.file, "beams.unv");
+}
+
+TEST(Compatibility, TheOnlyTriangleAmongManyElementsIsFound) {
+  ModelBuilder builder;
+  const NodeId n0 = builder.add_node({0, 0, 0}), n1 = builder.add_node({1, 0, 0}), n2 = builder.add_node({0, 1, 0});
+  for (int k = 0; k < 10'001; ++k) builder.add_line(n0, n1);
+  builder.add_face(n0, n1, n2);
+  const Model mixed = builder.build(), a = plate();
+  const std::array<const Model*, 2> inputs{&a, &mixed};
+  EXPECT_TRUE(check_compatible(inputs, {}).has_value());
+}
+
+TEST(Compatibility, UnitFactorsMustAgreeAndBothAreNamed) {
+  Model a = plate(), b = plate();
+  a.units = Units{1, 1.0, 1.0, 1.0, 273.15};
+  b.units = Units{5, 1000.0, 1.0, 1.0, 273.15};
+  a.path = "a.unv", b.path = "b.unv";
+  const std::array<const Model*, 2> inputs{&a, &b};
+  const auto result = check_compatible(inputs, {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kUnitsDiffer);
+  for (const char* word : {"a.unv", "b.unv", "length 1,", "length 1000,"})
+    EXPECT_NE(result.error().what.find(word), std::string::npos) << word;
+  b.units.reset();
+  EXPECT_TRUE(check_compatible(inputs, {}).has_value());  // a file that says nothing contradicts nothing
+}
+
+TEST(Compatibility, ModelsAThousandTimesApartInScaleAreRefusedEitherWay) {
+  const Model a = plate();
+  for (const double scale : {1000.0, 0.001})
+    EXPECT_EQ(code_of(a, scenes::moved(plate(), [=](Vec3 p) { return scale * p; })), ErrorCode::kScaleMismatch);
+}
+
+TEST(Compatibility, ASmallPartWithLikeEdgesOrAFineMeshOfLikeSizeIsNoMismatch) {
+  const Model ship = scenes::plate({0, 0, 0}, {300, 0, 0}, {0, 0.2, 0}, 0.1);
+  const Model clip = scenes::plate({0, 0, 0}, {0.3, 0, 0}, {0, 0.3, 0}, 0.1);
+  const std::array<const Model*, 2> inputs{&ship, &clip};
+  EXPECT_TRUE(check_compatible(inputs, {}).has_value());
+}
+
+TEST(Compatibility, EdgesTwoHundredTimesApartWhereTheyMeetAreRefused) {
+  const Model coarse = scenes::plate({0, 0, 0}, {100, 0, 0}, {0, 100, 0}, 50), fine = plate(0.1);
+  const std::array<const Model*, 2> inputs{&coarse, &fine};
+  std::vector<std::vector<ElementId>> all(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t e = 0; e < inputs[k]->n_elements(); ++e) all[k].emplace_back(e);
+  const auto result = check_local_scale(inputs, all);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kScaleMismatch);
+}
+
+TEST(Compatibility, ACoordinateThatIsNoNumberIsFoundWithItsNode) {
+  const Model a = plate();
+  Model b = plate();
+  b.position[7].y = std::numeric_limits<double>::infinity();
+  const std::array<const Model*, 2> inputs{&a, &b};
+  const auto result = check_compatible(inputs, {});
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kBadNumber);
+  EXPECT_NE(result.error().what.find("node 8"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace meshgraft

@@ -1,0 +1,162 @@
+#include "merge/result_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "merge/fidelity.hpp"
+#include "merge/hand_made.hpp"
+#include "merge/quality_summary.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+using testing_support::HandMade;
+
+Model plate(Vec3 origin = {0, 0, 0}, const std::string& group = "PLATE") {
+  return scenes::plate(origin, {4, 0, 0}, {0, 4, 0}, 1, group);
+}
+
+std::vector<Error> findings(HandMade& m) {
+  m.stitch_now();
+  return check_result(m.outcome(), m.translated, Tolerance{});
+}
+
+bool says(const std::vector<Error>& errors, const std::string& words) {
+  return std::ranges::any_of(errors, [&](const Error& e) {
+    return e.code == ErrorCode::kPromiseBroken && e.what.find(words) != std::string::npos;
+  });
+}
+
+TEST(ResultCheck, NothingIsSaidAgainstAnUntouchedModelOrAFlatSplit) {
+  HandMade m({plate(), plate({0, 0, 9}, "PART")});
+  EXPECT_TRUE(findings(m).empty());
+  HandMade split({plate(), plate({0, 0, 9}, "PART")});
+  for (const std::size_t f : {0u, 9u, 20u}) split.split_face(FaceId(f));
+  EXPECT_TRUE(findings(split).empty());
+}
+
+TEST(ResultCheck, AMissingFaceIsACrackAroundIt) {
+  HandMade m({plate()});
+  m.remove_face(FaceId(std::size_t{14}));
+  const auto errors = findings(m);
+  EXPECT_EQ(errors.size(), 3u);
+  EXPECT_TRUE(says(errors, "is free and was not"));
+}
+
+TEST(ResultCheck, ADoubledNodeIsACrack) {
+  HandMade m({plate()});
+  const VertexId v = m.vertex(0, 12);
+  const VertexId twin =
+      m.final_complex.add_vertex(m.final_complex.position[v.value], {}, VertexState::kOpen, GroupSets::kEmpty);
+  for (auto& face : m.final_complex.face)
+    if (std::ranges::find(face, v) != face.end()) {
+      std::ranges::replace(face, v, twin);
+      break;
+    }
+  EXPECT_TRUE(says(findings(m), "is free and was not"));
+}
+
+TEST(ResultCheck, ACutBackFreeEdgeIsNoticed) {
+  HandMade m({plate()});
+  const VertexId corner = m.vertex(0, 0);
+  for (std::size_t f = m.final_complex.n_faces(); f-- > 0;)
+    if (std::ranges::find(m.final_complex.face[f], corner) != m.final_complex.face[f].end()) m.remove_face(FaceId(f));
+  EXPECT_TRUE(says(findings(m), "is gone"));
+}
+
+TEST(ResultCheck, ResamplingAFreeEdgeIsNoCrack) {
+  HandMade m({plate()});
+  // Node 2 slides along the border y = 0.
+  m.final_complex.position[m.vertex(0, 2).value].x += 0.1;
+  EXPECT_TRUE(findings(m).empty());
+}
+
+TEST(ResultCheck, ATurnedFaceIsNoticed) {
+  HandMade m({plate()});
+  std::swap(m.final_complex.face[7][0], m.final_complex.face[7][1]);
+  EXPECT_TRUE(says(findings(m), "is turned against element"));
+}
+
+TEST(ResultCheck, AFaceInOtherGroupsThanItsParentIsNoticed) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{3}));
+  m.final_complex.face_groups.back() = GroupSets::kEmpty;
+  EXPECT_TRUE(says(findings(m), "is not in the groups of element"));
+}
+
+TEST(ResultCheck, FacesThatIntersectAreNamedWithLabelsAndPlace) {
+  HandMade m({plate(), plate({0, 0, 0.5}, "PART")});
+  const VertexId c = m.split_face(FaceId(std::size_t{5}));
+  m.final_complex.position[c.value].z = 1;
+  const auto errors = findings(m);
+  ASSERT_TRUE(says(errors, "intersect"));
+  EXPECT_TRUE(says(errors, "new element "));
+}
+
+TEST(ResultCheck, IntersectionsThatTheInputHadAreNotHeldAgainstTheMerge) {
+  const std::array<Model, 2> crossing{plate(), scenes::plate({0.3, 2.2, -1}, {3, 0, 0}, {0, 0, 2}, 1, "RIB")};
+  HandMade m({scenes::together(crossing)});
+  m.split_face(FaceId(std::size_t{17}));
+  EXPECT_TRUE(findings(m).empty());
+}
+
+TEST(ResultCheck, TwoFacesOnTheSameNodesAreNoticed) {
+  HandMade m({plate()});
+  const Complex like = m.final_complex;
+  m.final_complex.add_face(like.face[6], like, FaceId(std::size_t{7}));
+  EXPECT_TRUE(says(findings(m), "are on the same nodes"));
+}
+
+TEST(ResultCheck, LongListsAreCutShortWithACount) {
+  HandMade m({plate()});
+  for (auto& v : m.final_complex.face) std::swap(v[0], v[1]);
+  const auto errors = findings(m);
+  EXPECT_TRUE(says(errors, "22 more findings like the last one"));
+}
+
+TEST(Fidelity, NodesLiftedOffTheSurfaceAreMeasured) {
+  HandMade m({plate()});
+  const VertexId c = m.split_face(FaceId(std::size_t{5}));
+  m.final_complex.position[c.value].z = 0.25;
+  m.stitch_now();
+  const FidelityVerdict verdict = fidelity_of(m.outcome(), Tolerance{});
+  EXPECT_NEAR(verdict.figures.max_distance, 0.25, 1e-12);
+  EXPECT_GT(verdict.figures.max_distance_relative, 0.2);
+  ASSERT_EQ(verdict.broken.size(), 1u);
+  EXPECT_TRUE(says(verdict.broken, "off the input surface"));
+}
+
+TEST(Fidelity, FlatSplitsAreOnTheSurface) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{5}));
+  m.stitch_now();
+  const FidelityVerdict verdict = fidelity_of(m.outcome(), Tolerance{});
+  EXPECT_EQ(verdict.figures.max_distance, 0);
+  EXPECT_TRUE(verdict.broken.empty());
+}
+
+TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{5}));
+  m.stitch_now();
+  std::vector<BadFace> bad;
+  for (std::size_t f = 0; f < m.final_complex.n_faces(); ++f)
+    if (m.stitched.new_element[f] != Stitched::kKept) bad.push_back({FaceId(f), 0.3, "frozen boundary too near"});
+  const QualityVerdict poor = quality_of(m.outcome(), bad, 0.5);
+  EXPECT_EQ(poor.summary.faces, 3u);
+  EXPECT_EQ(poor.summary.below, 1u);
+  EXPECT_LT(poor.summary.min, 0.5);
+  EXPECT_EQ(poor.summary.worst.size(), 3u);
+  EXPECT_EQ(poor.summary.worst[0].q, poor.summary.min);
+  ASSERT_EQ(poor.broken.size(), 1u);
+  EXPECT_TRUE(says(poor.broken, "frozen boundary too near"));
+  for (BadFace& b : bad) b.cause = "input angle of 9 degrees";
+  const QualityVerdict excused = quality_of(m.outcome(), bad, 0.5);
+  EXPECT_TRUE(excused.broken.empty());
+  EXPECT_EQ(excused.warnings.size(), 1u);
+}
+
+}  // namespace
+}  // namespace meshgraft

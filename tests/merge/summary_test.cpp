@@ -1,0 +1,131 @@
+// The junction as polylines, the report as JSON, errors in the words of the user.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "merge/faults.hpp"
+#include "merge/junction_summary.hpp"
+#include "meshgraft/report.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// Vertices on given places, each edge carrying faces of the given inputs.
+struct Net {
+  Complex complex;
+  std::vector<JunctionEdge> edges;
+  std::size_t add(Vec3 p) {
+    complex.add_vertex(p, {}, VertexState::kOpen, GroupSets::kEmpty);
+    return complex.n_vertices() - 1;
+  }
+  void join(std::size_t a, std::size_t b, std::vector<std::uint32_t> inputs = {0, 1}) {
+    edges.push_back({{VertexId(std::min(a, b)), VertexId(std::max(a, b))}, std::move(inputs)});
+  }
+  std::vector<PolylineSummary> lines() {
+    std::ranges::sort(edges, {}, &JunctionEdge::ends);
+    return polylines_of(complex, edges);
+  }
+};
+
+TEST(JunctionSummary, AnOpenLineHasItsEndsAndTurnsAsCorners) {
+  Net net;
+  const auto a = net.add({2, 1, 0}), b = net.add({0, 0, 0}), c = net.add({1, 0, 0}), d = net.add({2, 0, 0});
+  net.join(b, c), net.join(c, d), net.join(d, a);
+  const auto lines = net.lines();
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_FALSE(lines[0].closed);
+  EXPECT_DOUBLE_EQ(lines[0].length, 3);
+  EXPECT_EQ(lines[0].nodes, 4u);
+  EXPECT_EQ(lines[0].corners, 3u);
+}
+
+TEST(JunctionSummary, AClosedLineCountsEachNodeOnce) {
+  Net net;
+  const auto a = net.add({0, 0, 0}), b = net.add({1, 0, 0}), c = net.add({1, 1, 0}), d = net.add({0, 1, 0});
+  net.join(a, b), net.join(b, c), net.join(c, d), net.join(d, a);
+  const auto lines = net.lines();
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_TRUE(lines[0].closed);
+  EXPECT_DOUBLE_EQ(lines[0].length, 4);
+  EXPECT_EQ(lines[0].nodes, 4u);
+  EXPECT_EQ(lines[0].corners, 4u);
+}
+
+TEST(JunctionSummary, LinesEndAtBranchesAndWhereOtherInputsMeet) {
+  Net net;
+  const auto o = net.add({0, 0, 0}), a = net.add({1, 0, 0}), b = net.add({-1, 0, 0}), c = net.add({0, 1, 0});
+  const auto d = net.add({2, 0, 0});
+  net.join(o, a), net.join(o, b), net.join(o, c), net.join(a, d, {0, 2});
+  const auto lines = net.lines();
+  EXPECT_EQ(lines.size(), 4u);
+  double length = 0;
+  for (const PolylineSummary& line : lines) length += line.length;
+  EXPECT_DOUBLE_EQ(length, 4);
+}
+
+TEST(ReportJson, ParsesAndHoldsEveryField) {
+  Report r;
+  r.version = "1";
+  r.inputs.push_back({"caf\xe9.unv", "abc", 1, 2, 3, {{"triangle", 3}}, 1});  // Latin-1, not UTF-8
+  r.junction.push_back({true, 2.5, 10, 2, {0, 1}});
+  r.quality.worst.push_back({0.4, {1, 2, 3}, 57, "input angle of 9 degrees"});
+  r.groups.push_back({"A \"quoted\"\n", "faces", 1, 2, 1.0 / 3, 0.25, 0, 0, "untouched"});
+  r.labels.push_back({1, "node", 5, 100'005});
+  r.moved.push_back({1, 7, {0, 0, 0}, {0, 0, 1}, 1});
+  r.datasets.push_back({0, "58b", 12, 80, "kept"});
+  r.timings.emplace_back("search", 0.5);
+  r.warnings.push_back({"parts-apart", "text", {"a.unv", 3}});
+  r.broken_promises.push_back({ErrorCode::kPromiseBroken, "what", "hint", {"a.unv", 4}});
+  const auto json = nlohmann::json::parse(to_json(r));
+  EXPECT_EQ(json["groups"][0]["area_before"].get<double>(), 1.0 / 3);
+  EXPECT_EQ(json["groups"][0]["name"], "A \"quoted\"\n");
+  EXPECT_EQ(json["quality"]["worst"][0]["element"], 57);
+  EXPECT_EQ(json["labels"][0]["to"], 100'005);
+  EXPECT_EQ(json["inputs"][0]["elements_by_kind"]["triangle"], 3);
+  EXPECT_EQ(json["timings"]["search"], 0.5);
+  EXPECT_EQ(json["broken_promises"][0]["name"], "promise-broken");
+  EXPECT_EQ(json["warnings"][0]["place"]["line"], 3);
+  for (const char* field : {"version", "inputs", "junction", "zone", "quality", "fidelity", "groups", "untouched",
+                            "labels", "removed_nodes", "removed_elements", "moved", "datasets", "timings",
+                            "peak_memory_bytes", "warnings", "broken_promises"})
+    EXPECT_TRUE(json.contains(field)) << field;
+}
+
+TEST(Faults, PartsJoinedThroughOtherPartsAreNotApart) {
+  const Model m;
+  const std::array<const Model*, 4> inputs{&m, &m, &m, &m};
+  using Pair = std::array<std::uint32_t, 2>;
+  EXPECT_TRUE(parts_apart(inputs, std::vector<Pair>{{0, 3}, {1, 2}, {2, 3}}).empty());
+  EXPECT_EQ(parts_apart(inputs, std::vector<Pair>{{0, 3}, {1, 2}}), (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(Faults, PartsApartAreNamedWithTheirDistanceAndSoAreThoseThatMeet) {
+  Model base = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.5);
+  Model far = scenes::plate({0, 0, 3}, {1, 0, 0}, {0, 1, 0}, 0.5), near = base;
+  base.path = "base.unv", far.path = "far.unv", near.path = "near.unv";
+  const std::array<const Model*, 3> inputs{&base, &far, &near};
+  const Error e = apart_error(inputs, std::array{1u});
+  EXPECT_EQ(e.code, ErrorCode::kPartsApart);
+  EXPECT_EQ(e.what, "far.unv (3 away) does not meet base.unv; near.unv does");
+}
+
+TEST(Faults, AJunctionFaultNamesElementsByTheirLabels) {
+  ModelBuilder b;
+  for (int k = 0; k < 3; ++k) b.add_node({double(k == 1), double(k == 2), 0});
+  ElementAttributes shell;
+  shell.shape = Shape::kTriangle;
+  const std::array<NodeId, 3> nodes{NodeId(std::size_t{0}), NodeId(std::size_t{1}), NodeId(std::size_t{2})};
+  b.add_element(shell, nodes, 4711);
+  const Model m = b.build("plate.unv");
+  const std::array<const Model*, 1> inputs{&m};
+  JunctionFault fault{ErrorCode::kOverlap, "faces overlap", {{0, ElementId(std::size_t{0})}}, {1, 2, 3}};
+  const Error e = to_error(inputs, fault);
+  EXPECT_EQ(e.code, ErrorCode::kOverlap);
+  EXPECT_EQ(e.what, "faces overlap: element 4711 of plate.unv at (1, 2, 3)");
+  EXPECT_FALSE(e.hint.empty());
+  EXPECT_EQ(e.place.file, "plate.unv");
+}
+
+}  // namespace
+}  // namespace meshgraft
