@@ -14,6 +14,7 @@
 #include "merge/result_check.hpp"
 #include "merge/stitch.hpp"
 #include "merge/stopwatch.hpp"
+#include "merge/unsupported.hpp"
 #include "search/candidates.hpp"
 #include "search/workpiece.hpp"
 
@@ -57,6 +58,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
 
   watch.start("search", 0);
   if (const auto ok = check_compatible(inputs, options); !ok) return Failure(ok.error());
+  if (const auto ok = check_meeting_elements(inputs, options.tolerance); !ok) return Failure(ok.error());
   for (const Model* model : inputs) {
     report.inputs.push_back(counts_of(*model));
     append(report.warnings, std::vector(model->warnings));
