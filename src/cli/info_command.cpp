@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/print.hpp"
@@ -49,27 +49,37 @@ std::string elements_by_kind(const Model& model) {
   return text;
 }
 
-/// Mean over the sides of all faces, or of all lines where there is no face.
+/// Corners of an element whose sides are edges of the mesh, in order around it; none for other kinds.
+std::vector<NodeId> corners(const Model& model, ElementId element) {
+  const Shape shape = model.shape(element);
+  const bool parabolic = shape == Shape::kLine3 || shape == Shape::kTriangle6 || shape == Shape::kQuad8;
+  const bool linear = shape == Shape::kLine || shape == Shape::kTriangle || shape == Shape::kQuad;
+  std::vector<NodeId> out;
+  const auto nodes = model.nodes_of(element);
+  for (std::size_t k = 0; (linear || parabolic) && k < nodes.size(); k += parabolic ? 2 : 1)
+    if (nodes[k].valid()) out.push_back(nodes[k]);
+  return out;
+}
+
+/// Mean over the sides of all surface elements, or of all lines where there are none.
 std::string mean_edge(const Model& model) {
-  double face_sum = 0, line_sum = 0;
-  std::uint64_t face_edges = 0, lines = 0;
+  struct Mean {
+    double sum = 0;
+    std::uint64_t n = 0;
+    void add(double length) { sum += length, ++n; }
+    [[nodiscard]] std::string text() const { return figure(sum / static_cast<double>(n)); }
+  } surface, line;
   for (std::size_t e = 0; e < model.n_elements(); ++e) {
-    const ElementId id(e);
-    if (model.is_face(id)) {
-      const auto p = model.corners(id);
-      face_sum += distance(p[0], p[1]) + distance(p[1], p[2]) + distance(p[2], p[0]);
-      face_edges += 3;
-    } else if (model.shape(id) == Shape::kLine) {
-      const auto nodes = model.nodes_of(id);
-      if (nodes.size() < 2 || !nodes[0].valid() || !nodes[1].valid()) continue;
-      line_sum += distance(model.position[nodes[0].value], model.position[nodes[1].value]);
-      ++lines;
-    }
+    const std::vector<NodeId> c = corners(model, ElementId(e));
+    const auto length = [&](std::size_t a, std::size_t b) {
+      return distance(model.position[c[a].value], model.position[c[b].value]);
+    };
+    if (c.size() == 2) line.add(length(0, 1));
+    for (std::size_t k = 0; c.size() > 2 && k < c.size(); ++k) surface.add(length(k, (k + 1) % c.size()));
   }
-  if (face_edges > 0)
-    return fmt::format("{}, mean over the sides of the triangles", figure(face_sum / static_cast<double>(face_edges)));
-  if (lines > 0) return fmt::format("{}, mean over the lines", figure(line_sum / static_cast<double>(lines)));
-  return "none: no triangles and no lines";
+  if (surface.n > 0) return surface.text() + ", mean over the sides of all surface elements";
+  if (line.n > 0) return line.text() + ", mean over the lines";
+  return "unknown: no surface elements and no lines";
 }
 
 std::string units(const Model& model) {
@@ -106,10 +116,10 @@ void print_groups(const Model& model, Talk talk) {
   for (std::size_t g = 0; g < shown; ++g) width = std::max(width, model.groups[g].name.size());
   for (std::size_t g = 0; g < shown; ++g) {
     const Group& group = model.groups[g];
-    fmt::print("{:>10}  {:<{}}  {}\n", group.number, printable(group.name), width, members(group));
+    say(stdout, "{:>10}  {:<{}}  {}\n", group.number, printable(group.name), width, members(group));
   }
   if (shown < model.groups.size())
-    fmt::print("{:>10}  and {} more; -v shows all\n", "...", model.groups.size() - shown);
+    say(stdout, "{:>10}  and {} more; -v shows all\n", "...", model.groups.size() - shown);
 }
 
 /// Datasets that are passed on as text, by number.

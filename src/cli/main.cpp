@@ -1,5 +1,4 @@
 // meshgraft, the program: arguments in, one of the commands, exit code out.
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <cstdio>
@@ -18,7 +17,7 @@ ExitCode failed(const Error& error) {
 }
 
 ExitCode run(const Answer& answer) {
-  fmt::print("{}", answer.text);
+  say(stdout, "{}", answer.text);
   return kDone;
 }
 

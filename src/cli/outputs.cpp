@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code none;
   if (fs::equivalent(a, b, none)) return true;
-  const fs::path full_a = fs::weakly_canonical(a, none), full_b = fs::weakly_canonical(b, none);
-  return !full_a.empty() && full_a == full_b;
+  const auto full = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, none), none); };
+  return !full(a).empty() && full(a) == full(b);
 }
 
 Failure cannot_write(const NamedFile& file, std::string what, std::string hint) {

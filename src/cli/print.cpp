@@ -1,7 +1,5 @@
 #include "cli/print.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -17,30 +15,30 @@ constexpr std::size_t kWarningsOfAName = 10;
 }  // namespace
 
 void print_line(std::string_view label, std::string_view text) {
-  fmt::print("{:<{}}", label, kLabelWidth);
+  say(stdout, "{:<{}}", label, kLabelWidth);
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    fmt::print("{}\n{:{}}", text.substr(0, end), "", kLabelWidth);
+    say(stdout, "{}\n{:{}}", text.substr(0, end), "", kLabelWidth);
     text.remove_prefix(end + 1);
   }
-  fmt::print("{}\n", text);
+  say(stdout, "{}\n", text);
 }
 
 void print_error(const Error& error) {
   // An error of no file still begins with a name, as every compiler's does.
-  fmt::print(stderr, "{}{}\n", error.place.file.empty() ? "meshgraft: " : "", to_string(error));
+  say(stderr, "{}{}\n", error.place.file.empty() ? "meshgraft: " : "", to_string(error));
 }
 
 void print_warnings(std::span<const Warning> warnings, Talk talk) {
   std::map<std::string, std::size_t> met;
   for (const Warning& warning : warnings) {
     if (++met[warning.name] > kWarningsOfAName && talk != Talk::kVerbose) continue;
-    fmt::print(stderr, "{}{}\n", warning.place.file.empty() ? "meshgraft: " : "", to_string(warning));
+    say(stderr, "{}{}\n", warning.place.file.empty() ? "meshgraft: " : "", to_string(warning));
   }
   if (talk == Talk::kVerbose) return;
   for (const auto& [name, n] : met)
     if (n > kWarningsOfAName)
-      fmt::print(stderr, "meshgraft: warning [{}]: {} more of this kind; -v or --report shows all\n", name,
-                 n - kWarningsOfAName);
+      say(stderr, "meshgraft: warning [{}]: {} more of this kind; -v or --report shows all\n", name,
+          n - kWarningsOfAName);
 }
 
 std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {

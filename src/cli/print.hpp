@@ -1,15 +1,26 @@
 // Results go to stdout, all else to stderr.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
+#include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "cli/arguments.hpp"
 #include "meshgraft/result.hpp"
 
 namespace meshgraft::cli {
+
+/// Unlike fmt::print, does not throw if `to` takes nothing; see results_arrived.
+template <class... Values>
+void say(std::FILE* to, fmt::format_string<Values...> form, Values&&... values) {
+  const std::string text = fmt::format(form, std::forward<Values>(values)...);
+  std::fwrite(text.data(), 1, text.size(), to);
+}
 
 /// A result: the label in a column of its own; later lines of `text` are aligned below the first.
 void print_line(std::string_view label, std::string_view text);

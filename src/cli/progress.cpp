@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/print.hpp"
+
 namespace meshgraft::cli {
 
 Progress::Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
@@ -16,14 +18,14 @@ void Progress::show(std::string_view stage, double done) {
   std::string line = fmt::format("{:3.0f} %  {}", 100 * std::clamp(done, 0.0, 1.0), stage);
   const std::size_t width = line.size();
   if (width < width_) line.append(width_ - width, ' ');  // over the rest of a longer line
-  fmt::print(stderr, "\r{}", line);
+  say(stderr, "\r{}", line);
   std::fflush(stderr);
   width_ = width;
 }
 
 void Progress::clear() {
   if (width_ == 0) return;
-  fmt::print(stderr, "\r{:{}}\r", "", width_);
+  say(stderr, "\r{:{}}\r", "", width_);
   std::fflush(stderr);
   width_ = 0;
 }

@@ -1,0 +1,149 @@
+// Exit codes 1, 3, 4 and 5: what is said, and that files are as they were.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "program.hpp"
+
+namespace meshgraft::cli_tests {
+namespace {
+
+const std::string kOld = "what was there before\n";
+
+/// A failed merge neither makes an output nor changes one that was there.
+void expect_no_output(const std::vector<std::string>& arguments, int code, const std::vector<std::string>& says) {
+  for (const bool was_there : {false, true}) {
+    const Folder folder;
+    folder.put_plates();
+    folder.put("empty.unv", std::string());
+    folder.put("prose.unv", "This is not a mesh.\n");
+    folder.put("cut.unv", folder.text("base.unv").substr(0, folder.text("base.unv").size() / 2));
+    std::filesystem::create_directory(folder.path() / "directory.unv");
+    if (was_there) folder.put("out.unv", kOld);
+    const std::vector<std::string> before = folder.files();
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    for (const std::string& text : says)
+      EXPECT_NE(outcome.err.find(text), std::string::npos) << "'" << text << "' is not in\n" << outcome.err;
+    EXPECT_EQ(folder.files(), before);
+    if (was_there) {
+      EXPECT_EQ(folder.text("out.unv"), kOld);
+    }
+  }
+}
+
+TEST(MissingInput, IsNamed) {
+  expect_no_output({"merge", "base.unv", "nowhere.unv", "-o", "out.unv"}, 3, {"nowhere.unv", "[cannot-read]"});
+  expect_no_output({"check", "nowhere.unv"}, 3, {"nowhere.unv", "[cannot-read]"});
+  expect_no_output({"info", "nowhere.unv"}, 3, {"nowhere.unv", "[cannot-read]"});
+  expect_no_output({"convert", "nowhere.unv", "out.unv"}, 3, {"nowhere.unv", "[cannot-read]"});
+}
+
+TEST(DirectoryAsInput, IsRefused) {
+  expect_no_output({"merge", "directory.unv", "part.unv", "-o", "out.unv"}, 3, {"directory.unv", "[cannot-read]"});
+}
+
+TEST(InputBelowAFile, CannotBeRead) {
+  expect_no_output({"info", "base.unv/mesh.unv"}, 3, {"base.unv/mesh.unv", "[cannot-read]"});
+}
+
+TEST(EmptyInput, IsRefused) {
+  expect_no_output({"merge", "base.unv", "empty.unv", "-o", "out.unv"}, 3, {"empty.unv", "[empty-file]"});
+}
+
+TEST(InputOfAnotherFormat, IsRefused) {
+  expect_no_output({"convert", "prose.unv", "out.unv"}, 3, {"prose.unv", "[unknown-format]"});
+}
+
+TEST(TruncatedInput, IsRefusedWithItsLine) {
+  expect_no_output({"merge", "cut.unv", "part.unv", "-o", "out.unv"}, 3, {"cut.unv:", "error ["});
+}
+
+TEST(PartThatMeetsNothing, IsNamedWithExitCode4) {
+  expect_no_output({"merge", "base.unv", "far.unv", "-o", "out.unv"}, 4, {"far.unv", "[parts-apart]"});
+  expect_no_output({"merge", "base.unv", "part.unv", "far.unv", "-o", "out.unv"}, 4, {"far.unv", "[parts-apart]"});
+}
+
+TEST(PartThatMeetsNothing, IsAddedUnjoinedIfAllowed) {
+  const Folder folder;
+  folder.put_plates();
+  const Outcome outcome = folder.run({"merge", "base.unv", "far.unv", "-o", "out.unv", "--allow-apart"});
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find("warning [parts-apart]"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("meets nothing"), std::string::npos) << outcome.out;
+  EXPECT_NE(folder.text("out.unv").find("FAR"), std::string::npos);
+}
+
+TEST(BrokenPromise, IsExitCode1AndNothingIsWritten) {
+  expect_no_output({"merge", "base.unv", "part.unv", "-o", "out.unv", "--min-quality", "0.9"}, 1,
+                   {"error [promise-broken]"});
+}
+
+TEST(BrokenPromise, IsInTheReportAllTheSame) {
+  const Folder folder;
+  folder.put_plates();
+  const Outcome outcome =
+      folder.run({"merge", "base.unv", "part.unv", "-o", "out.unv", "--min-quality", "0.9", "--report", "report.json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_FALSE(folder.has("out.unv"));
+  EXPECT_NE(folder.text("report.json").find("\"promise-broken\""), std::string::npos);
+  EXPECT_NE(outcome.out.find("nothing: "), std::string::npos) << outcome.out;
+}
+
+TEST(BrokenPromise, IsWrittenIfAllowedAndKeepsItsExitCode) {
+  const Folder folder;
+  folder.put_plates();
+  const Outcome outcome =
+      folder.run({"merge", "base.unv", "part.unv", "-o", "out.unv", "--min-quality", "0.9", "--allow-poor"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.err.find("[promise-broken]"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.run({"check", "-q", "out.unv"}).code, 0);
+}
+
+TEST(OutputDirectory, IsCheckedBeforeTheInputsAreRead) {
+  expect_no_output({"merge", "nowhere.unv", "part.unv", "-o", "no/such/out.unv"}, 5,
+                   {"no/such/out.unv", "[cannot-write]", "'no/such' does not exist"});
+  expect_no_output({"convert", "nowhere.unv", "base.unv/out.unv"}, 5, {"[cannot-write]", "not a directory"});
+  expect_no_output({"merge", "nowhere.unv", "part.unv", "-o", "directory.unv"}, 5,
+                   {"[cannot-write]", "is a directory"});
+  expect_no_output({"merge", "nowhere.unv", "part.unv", "-o", "out.unv", "--report", "no/such/r.json"}, 5,
+                   {"no/such/r.json", "[cannot-write]"});
+}
+
+TEST(FullDisk, IsExitCode5) {
+  const Folder folder;
+  folder.put_plates();
+  const Outcome outcome = folder.run({"convert", "base.unv", "/dev/full"});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find("[cannot-write]"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST(FullDisk, OfTheReportLeavesTheMeshUnwritten) {
+  const Folder folder;
+  folder.put_plates();
+  folder.put("out.unv", kOld);
+  const std::vector<std::string> before = folder.files();
+  const Outcome outcome = folder.run({"merge", "base.unv", "part.unv", "-o", "out.unv", "--report", "/dev/full"});
+  EXPECT_EQ(outcome.code, 5) << outcome.err;
+  EXPECT_NE(outcome.err.find("/dev/full"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.text("out.unv"), kOld);
+  EXPECT_EQ(folder.files(), before);
+}
+
+TEST(FullDisk, OfStdoutIsNoticed) {
+  const Folder folder;
+  folder.put_plates();
+  ModelBuilder many_groups;  // more text than a buffer takes
+  const NodeId node = many_groups.add_node({0, 0, 0});
+  for (char c = 'A'; c <= 'Z'; ++c) many_groups.add_to_group(std::string(300, c), node);
+  folder.put("many.unv", many_groups.build());
+  for (const char* file : {"base.unv", "many.unv"}) {
+    const Outcome outcome = folder.run_program(MESHGRAFT_PROGRAM, {"info", file}, Stderr::kFile, "/dev/full");
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_NE(outcome.err.find("stdout"), std::string::npos) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace meshgraft::cli_tests
