@@ -1,8 +1,9 @@
 // The writing half of meshgraft/unv.hpp.
-#include <cstdio>
+#include <unistd.h>
 
 #include "io/atomic_output.hpp"
 #include "io/unv_document.hpp"
+#include "io/unv_splice.hpp"
 #include "io/unv_writer.hpp"
 #include "meshgraft/unv.hpp"
 
@@ -27,6 +28,40 @@ Result<void> write_unv(const Model& model, const std::string& path) {
 Result<std::string> unv_text(const Model& model) {
   if (const unv::Document* document = document_of(model)) return std::string(document->text());
   return unv::new_text(model);
+}
+
+Result<void> write_unv(const Model& base, std::span<const Model> parts, const Merged& merged, const std::string& path,
+                       Report& report) {
+  const auto spliced = unv::SplicedText::make(base, parts, merged, report);
+  if (!spliced) return Failure(spliced.error());
+  auto output = AtomicOutput::create(path);
+  if (!output) return Failure(output.error());
+  if (auto done = output->write(spliced->pieces); !done) return done;
+
+  // The side file of an earlier run would not belong to the new output.
+  const std::string side_path = path + ".carry";
+  if (spliced->side_file().empty()) {
+    if (auto done = output->commit(); !done) return done;
+    ::unlink(side_path.c_str());
+    return {};
+  }
+  auto side = AtomicOutput::create(side_path);
+  if (!side) return Failure(side.error());
+  if (auto done = side->write(spliced->side_file()); !done) return done;
+  if (auto done = side->commit(); !done) return done;
+  if (auto done = output->commit(); !done) {
+    ::unlink(side_path.c_str());
+    return done;
+  }
+  return {};
+}
+
+Result<std::string> unv_text(const Model& base, std::span<const Model> parts, const Merged& merged, Report& report) {
+  const auto spliced = unv::SplicedText::make(base, parts, merged, report);
+  if (!spliced) return Failure(spliced.error());
+  std::string text;
+  for (const std::string_view piece : spliced->pieces) text += piece;
+  return text;
 }
 
 }  // namespace meshgraft

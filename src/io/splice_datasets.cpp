@@ -1,0 +1,97 @@
+// Datasets that are not understood: those of the base stay, those of the parts are copied if they
+// can be, else they go to the side file. Each gets an entry in the report.
+#include <algorithm>
+#include <array>
+
+#include "io/coordinate_systems.hpp"
+#include "io/splice_context.hpp"
+
+namespace meshgraft::unv {
+namespace {
+
+constexpr std::array<std::int64_t, 9> kCarryLabels{55, 56, 57, 58, 2414, 757, 791, 82, 2431};
+constexpr std::array<std::int64_t, 3> kHeaders{151, 164, 2400};
+constexpr std::array<std::int64_t, 2> kSystems{2420, 18};
+
+std::string number_of(const Dataset& dataset) { return std::to_string(dataset.number) + (dataset.binary ? "b" : ""); }
+
+DatasetEntry entry(std::uint32_t input, const Document& d, const Dataset& dataset, std::string fate) {
+  DatasetEntry e;
+  e.input = input, e.number = number_of(dataset), e.line = d.line_of(dataset.number_line);
+  e.bytes = dataset.end - dataset.open, e.fate = std::move(fate);
+  return e;
+}
+
+/// The lines between the delimiters, with LF, for comparing.
+std::string content(const Document& d, const Dataset& dataset) {
+  std::string text;
+  append_lines(d.lines, dataset.body, dataset.body_end, "\n", text);
+  return text;
+}
+
+bool all_global(const Document& d, const Dataset& dataset) {
+  const auto systems = coordinate_systems(d.lines, dataset);
+  return !systems.empty() && std::ranges::all_of(systems, &CoordinateSystem::global);
+}
+
+bool same_as_base(const Document& base, const Document& part, const Dataset& dataset) {
+  if (dataset.binary) return false;
+  if (std::ranges::count(kHeaders, dataset.number)) return true;
+  if (!std::ranges::count(kSystems, dataset.number)) return false;
+  if (all_global(part, dataset)) return true;
+  const std::string text = content(part, dataset);
+  return std::ranges::any_of(base.datasets, [&](const Dataset& other) {
+    return !other.binary && other.number == dataset.number && content(base, other) == text;
+  });
+}
+
+bool labels_changed(const Splice& s, std::uint32_t k) {
+  return !s.graft.removed_nodes[k].empty() || !s.graft.removed_elements[k].empty() ||
+         !s.labels.shifted_nodes[k].empty() || !s.labels.shifted_elements[k].empty();
+}
+
+/// A dataset of a part from delimiter to delimiter; binary data byte for byte.
+void append_dataset(const Splice& s, const Document& d, const Dataset& dataset, std::string& text) {
+  s.close_dataset(text);
+  if (dataset.binary) {
+    text += d.text().substr(dataset.number_line, dataset.body_end - dataset.number_line);
+  } else {
+    append_lines(d.lines, dataset.number_line, dataset.body_end, s.line_end(), text);
+  }
+  s.close_dataset(text);
+}
+
+}  // namespace
+
+void splice_datasets(Splice& s) {
+  const bool removed = !s.graft.removed_nodes.front().empty() || !s.graft.removed_elements.front().empty();
+  for (const Dataset& dataset : s.base().datasets) {
+    if (dataset.kind() != DatasetKind::kOther) continue;
+    const bool stale = removed && std::ranges::count(kCarryLabels, dataset.number) != 0;
+    s.report.datasets.push_back(
+        entry(0, s.base(), dataset, stale ? "kept, stale: may name nodes or elements that were removed" : "kept"));
+  }
+  TextPieces copies;
+  for (std::uint32_t k = 1; k < s.n_inputs(); ++k) {
+    const Document& d = *s.documents[k];
+    const bool changed = labels_changed(s, k);
+    for (const Dataset& dataset : d.datasets) {
+      if (dataset.kind() != DatasetKind::kOther) continue;
+      if (same_as_base(s.base(), d, dataset)) {
+        s.report.datasets.push_back(entry(k, d, dataset, "same as base"));
+      } else if (changed) {
+        s.side_file += "input " + std::to_string(k) + ", " + d.path() + ", line " +
+                       std::to_string(d.line_of(dataset.number_line)) + ": dataset " + number_of(dataset);
+        s.side_file += s.line_end();
+        append_dataset(s, d, dataset, s.side_file);
+        s.report.datasets.push_back(entry(k, d, dataset, "side file"));
+      } else {
+        append_dataset(s, d, dataset, copies.made());
+        s.report.datasets.push_back(entry(k, d, dataset, "kept"));
+      }
+    }
+  }
+  s.append_text(std::move(copies));
+}
+
+}  // namespace meshgraft::unv

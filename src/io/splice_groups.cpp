@@ -1,0 +1,310 @@
+// Groups of the output: records of the base whose members change are written anew, those of the
+// parts join groups of the same name or follow after the last one.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <unordered_set>
+
+#include "io/splice_context.hpp"
+#include "io/unv_format.hpp"
+#include "io/unv_groups.hpp"
+
+namespace meshgraft::unv {
+namespace {
+
+constexpr std::int64_t kNewGroupDataset = 2467;
+
+/// Labels of removed entities of one input.
+struct Removed {
+  std::unordered_set<std::int64_t> nodes, elements;
+};
+
+/// Members that a merged group gains, labels of the output.
+struct Gained {
+  std::vector<std::int64_t> nodes, elements;
+  [[nodiscard]] bool empty() const { return nodes.empty() && elements.empty(); }
+};
+
+class GroupSplicer {
+ public:
+  explicit GroupSplicer(Splice& splice)
+      : s_(splice),
+        removed_(s_.n_inputs()),
+        gained_(s_.graft.groups.size()),
+        last_(s_.last_dataset(DatasetKind::kGroups)) {
+    layout_ = group_layout_of(last_ != nullptr ? last_->number : kNewGroupDataset);
+    for (const GroupPlace& place : s_.base().groups)
+      if (last_ != nullptr && &s_.base().datasets[place.dataset] == last_) layout_ = place.layout;
+  }
+
+  void run() {
+    for (std::uint32_t k = 0; k < s_.n_inputs(); ++k) {
+      for (const NodeId n : s_.graft.removed_nodes[k]) removed_[k].nodes.insert(s_.models[k]->node_label[n.value]);
+      for (const ElementId e : s_.graft.removed_elements[k])
+        removed_[k].elements.insert(s_.models[k]->element_label[e.value]);
+    }
+    for (const Group& group : s_.models.front()->groups) numbers_.insert(group.number);
+    collect_gained();
+    find_shrinking();
+    for (std::size_t g = 0; g < s_.graft.groups.size(); ++g) write(g);
+    if (last_ != nullptr) {
+      s_.insert_records(*last_, std::move(new_groups_));
+    } else {
+      const Dataset* after = s_.last_dataset(DatasetKind::kElements);
+      s_.insert_dataset(after != nullptr ? after : s_.last_dataset(DatasetKind::kNodes), kNewGroupDataset,
+                        std::move(new_groups_));
+    }
+  }
+
+ private:
+  void collect_gained() {
+    const GroupSets& sets = s_.graft.group_sets;
+    for (std::size_t i = 0; i < s_.graft.new_nodes.size(); ++i)
+      for (const GroupId g : sets.members(s_.graft.new_nodes[i].groups))
+        gained_[g.value].nodes.push_back(s_.names.of(NodeRef{kNew, NodeId(i)}));
+    for (std::size_t i = 0; i < s_.graft.new_elements.size(); ++i)
+      for (const GroupId g : sets.members(s_.graft.new_elements[i].groups))
+        gained_[g.value].elements.push_back(s_.names.of(ElementRef{kNew, ElementId(i)}));
+    for (const Graft::JoinedNode& joined : s_.graft.joined_nodes)
+      for (const GroupId g : sets.members(joined.groups))
+        if (!is_member_already(joined.node, g)) gained_[g.value].nodes.push_back(s_.names.of(joined.node));
+    for (Gained& gained : gained_) {
+      std::ranges::sort(gained.nodes), std::ranges::sort(gained.elements);
+      gained.nodes.erase(std::ranges::unique(gained.nodes).begin(), gained.nodes.end());
+    }
+  }
+
+  [[nodiscard]] bool is_member_already(NodeRef node, GroupId merged) const {
+    const Model& model = *s_.models[node.input];
+    return std::ranges::any_of(s_.graft.groups[merged.value].from, [&](const MergedGroup::From& from) {
+      return from.input == node.input && model.group_sets.contains(model.node_groups[node.node.value], from.group);
+    });
+  }
+
+  /// Marks the groups of the base that lose a member: one look at each distinct group set.
+  void find_shrinking() {
+    const Model& base = *s_.models.front();
+    std::vector<bool> seen(base.group_sets.size());
+    shrinks_.resize(base.groups.size());
+    const auto mark = [&](GroupSetId set) {
+      if (seen[set.value]) return;
+      seen[set.value] = true;
+      for (const GroupId g : base.group_sets.members(set)) shrinks_[g.value] = true;
+    };
+    for (const NodeId n : s_.graft.removed_nodes.front()) mark(base.node_groups[n.value]);
+    for (const ElementId e : s_.graft.removed_elements.front()) mark(base.element_groups[e.value]);
+  }
+
+  void write(std::size_t g) {
+    const MergedGroup& merged = s_.graft.groups[g];
+    const bool in_base = !merged.from.empty() && merged.from.front().input == 0;
+    for (const MergedGroup::From& from : merged.from) {
+      if (from.input != 0) continue;
+      const bool first = &from == &merged.from.front();
+      if (shrinks_[from.group.value] || (first && grows(g)) || names_too_much(from))
+        rewrite(from, first ? &merged : nullptr, g);
+    }
+    if (!in_base) append_new(merged, g);
+  }
+
+  [[nodiscard]] bool grows(std::size_t g) const {
+    if (!gained_[g].empty()) return true;
+    return std::ranges::any_of(s_.graft.groups[g].from, [&](const MergedGroup::From& from) {
+      const Group& group = s_.models[from.input]->groups[from.group.value];
+      return from.input > 0 && group.n_nodes + group.n_elements + group.n_other + group.n_dangling > 0;
+    });
+  }
+
+  /// Whether an entry that names nothing in its input would name something in the output.
+  [[nodiscard]] bool names_too_much(const MergedGroup::From& from) {
+    if (s_.models[from.input]->groups[from.group.value].n_dangling == 0) return false;
+    bool found = false;
+    for_each_entity(from, [&](const Entity& e, std::string_view) { found = found || appears(from.input, e); });
+    return found;
+  }
+
+  [[nodiscard]] bool appears(std::uint32_t input, const Entity& e) {
+    return (e.code == kNodeCode && s_.names.node_appears(input, e.tag)) ||
+           (e.code == kElementCode && s_.names.element_appears(input, e.tag));
+  }
+
+  /// A group of the base in its place; `merged` is null if it receives nothing.
+  void rewrite(const MergedGroup::From& from, const MergedGroup* merged, std::size_t g) {
+    const Document& d = s_.base();
+    const GroupPlace& place = d.groups[from.group.value];
+    std::string entities;
+    const std::int64_t count = merged != nullptr ? write_members(*merged, g, place.layout, entities)
+                                                 : write_members({{}, {from}}, kNothingGained, place.layout, entities);
+    TextPieces text;
+    const Line header = d.lines.at(place.begin), name = d.lines.at(header.next);
+    add_header(d.lines.view(header), std::nullopt, count, place.layout, text.made());
+    text.made().append(d.lines.view(name)).append(s_.line_end());
+    text.made() += entities;
+    s_.edits.replace(place.begin, place.end, std::move(text));
+  }
+
+  /// A group that only parts have.
+  void append_new(const MergedGroup& merged, std::size_t g) {
+    std::string entities, header, name = merged.name;
+    const std::int64_t count = write_members(merged, g, layout_, entities);
+    std::int64_t number = 0;
+    if (!merged.from.empty()) {
+      const MergedGroup::From& from = merged.from.front();
+      const LineScanner& lines = s_.documents[from.input]->lines;
+      const Line header_line = lines.at(s_.documents[from.input]->groups[from.group.value].begin);
+      header = lines.view(header_line);
+      name = lines.view(lines.at(header_line.next));
+      number = s_.models[from.input]->groups[from.group.value].number;
+    }
+    if (number <= 0 || numbers_.contains(number))
+      number = numbers_.empty() ? 1 : std::max<std::int64_t>(*numbers_.rbegin(), 0) + 1;
+    numbers_.insert(number);
+    std::string& text = new_groups_.made();
+    add_header(header, number, count, layout_, text);
+    text.append(name).append(s_.line_end());
+    text += entities;
+  }
+
+  /// Record 1 with another count, and number if given; all other columns as they are.
+  void add_header(std::string_view line, std::optional<std::int64_t> number, std::int64_t count, GroupLayout layout,
+                  std::string& text) {
+    const Cut cut = parse_integers(line, values_);
+    if (cut == Cut::kNone) values_.assign(layout.header_fields, 0);
+    if (cut == Cut::kColumns && (!number || values_.size() == layout.header_fields)) {
+      std::string header(line);
+      if (number) set_column(header, 0, *number);
+      set_column(header, values_.size() - 1, count);
+      text += header;
+      text += s_.line_end();
+      return;
+    }
+    if (number) values_.back() = 0, values_.resize(layout.header_fields, 0), values_.front() = *number;
+    values_.back() = count;
+    append_integers(values_, s_.line_end(), text);
+  }
+
+  static constexpr std::size_t kNothingGained = static_cast<std::size_t>(-1);
+
+  /// Entities of all inputs that stay, in input order, then those gained; returns their number.
+  std::int64_t write_members(const MergedGroup& merged, std::size_t g, GroupLayout layout, std::string& text) {
+    std::int64_t count = 0;
+    EntityWriter writer(layout, s_.line_end(), text);
+    bool first = true;
+    for (const MergedGroup::From& from : merged.from) {
+      // Another group of the base with this name has a record of its own.
+      if (from.input == 0 && !std::exchange(first, false)) continue;
+      first = false;
+      count += write_survivors(from, layout, writer);
+    }
+    if (g != kNothingGained) {
+      for (const std::int64_t label : gained_[g].nodes) writer.add({kNodeCode, label, 0, 0}), ++count;
+      for (const std::int64_t label : gained_[g].elements) writer.add({kElementCode, label, 0, 0}), ++count;
+    }
+    writer.finish();
+    return count;
+  }
+
+  std::int64_t write_survivors(const MergedGroup::From& from, GroupLayout layout, EntityWriter& writer) {
+    const std::uint32_t k = from.input;
+    const bool dangling = s_.models[k]->groups[from.group.value].n_dangling > 0;
+    const bool relabelled = !s_.labels.shifted_nodes[k].empty() || !s_.labels.shifted_elements[k].empty();
+    const bool same_layout = s_.documents[k]->groups[from.group.value].layout.entity_size == layout.entity_size;
+    std::int64_t count = 0, left_out = 0;
+    for_each_entity(from, [&](Entity e, std::string_view columns) {
+      if ((e.code == kNodeCode && removed_[k].nodes.contains(e.tag)) ||
+          (e.code == kElementCode && removed_[k].elements.contains(e.tag)))
+        return;
+      if (dangling && appears(k, e)) {
+        ++left_out;
+        return;
+      }
+      ++count;
+      const std::int64_t tag = e.tag;
+      if (relabelled) e.tag = output_label(k, e);
+      if (same_layout && !columns.empty() && e.tag == tag)
+        writer.add_columns(columns);
+      else
+        writer.add(e);
+    });
+    if (left_out > 0)
+      s_.report.warnings.push_back(s_.documents[k]->warning(
+          "dangling-members",
+          "group " + s_.models[k]->groups[from.group.value].name + ": " + std::to_string(left_out) +
+              " entries that named nothing would name something of another input now, and were left out",
+          s_.documents[k]->groups[from.group.value].begin));
+    return count;
+  }
+
+  [[nodiscard]] std::int64_t output_label(std::uint32_t k, const Entity& e) {
+    if (e.code == kNodeCode) {
+      const std::uint32_t at = index(node_index_, k, s_.models[k]->node_label).find(e.tag);
+      return at == LabelIndex::kNone ? e.tag : s_.names.of(NodeRef{k, NodeId(std::size_t{at})});
+    }
+    if (e.code == kElementCode) {
+      const std::uint32_t at = index(element_index_, k, s_.models[k]->element_label).find(e.tag);
+      return at == LabelIndex::kNone ? e.tag : s_.names.of(ElementRef{k, ElementId(std::size_t{at})});
+    }
+    return e.tag;
+  }
+
+  const LabelIndex& index(std::vector<std::optional<LabelIndex>>& indices, std::uint32_t k,
+                          const std::vector<std::int64_t>& labels) {
+    if (indices.empty()) indices.resize(s_.n_inputs());
+    if (!indices[k]) indices[k].emplace(labels);
+    return *indices[k];
+  }
+
+  /// Calls f(entity, its columns) for each entry; the columns are empty if it has none to copy.
+  template <class F>
+  void for_each_entity(const MergedGroup::From& from, F&& f) {
+    const Document& d = *s_.documents[from.input];
+    const GroupPlace& place = d.groups[from.group.value];
+    RegularGroup regular;
+    if (regular_group(d, place.begin, place.end, place.layout, regular) && regular.end == place.end &&
+        for_each_regular(d, place.layout, regular, [](const Entity&, std::string_view) {})) {
+      for_each_regular(d, place.layout, regular, f);
+      return;
+    }
+    (void)group_record(d.lines, place.begin, d.datasets[place.dataset].body_end, place.layout, record_);
+    for (const Entity& e : record_.entities) f(e, std::string_view{});
+  }
+
+  /// False if an entry is not in its columns.
+  template <class F>
+  static bool for_each_regular(const Document& d, GroupLayout layout, const RegularGroup& group, F&& f) {
+    const std::size_t per_line = entities_per_line(layout), width = layout.entity_size * kIntegerWidth;
+    std::size_t at = group.entities;
+    for (std::uint64_t i = 0; i < group.count; ++i) {
+      const char* field = d.lines.text.data() + at;
+      Entity e;
+      if (!fast_integer(field, e.code) || !fast_integer(field + kIntegerWidth, e.tag)) return false;
+      if (layout.entity_size == 4 &&
+          (!fast_integer(field + 2 * kIntegerWidth, e.leaf) || !fast_integer(field + 3 * kIntegerWidth, e.component)))
+        return false;
+      f(e, d.lines.text.substr(at, width));
+      at += width;
+      if ((i + 1) % per_line != 0 && i + 1 != group.count) continue;
+      if (!d.ends_line(at)) return false;
+      at += d.line_end.size();
+    }
+    return true;
+  }
+
+  Splice& s_;
+  std::vector<Removed> removed_;
+  std::vector<Gained> gained_;
+  const Dataset* last_;
+  GroupLayout layout_;
+  std::vector<bool> shrinks_;       // by group of the base
+  std::set<std::int64_t> numbers_;  // of the base's groups and those written so far
+  TextPieces new_groups_;
+  GroupRecord record_;
+  std::vector<std::int64_t> values_;
+  std::vector<std::optional<LabelIndex>> node_index_, element_index_;  // by input, when needed
+};
+
+}  // namespace
+
+void splice_groups(Splice& splice) { GroupSplicer(splice).run(); }
+
+}  // namespace meshgraft::unv
