@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "cli/commands.hpp"
 #include "cli/formats.hpp"
@@ -11,6 +10,7 @@
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
 #include "io/digest.hpp"
+#include "merge/stopwatch.hpp"
 #include "meshgraft/merge.hpp"
 #include "meshgraft/unv.hpp"
 
@@ -25,32 +25,23 @@ struct Inputs {
   std::vector<Model> parts;
 };
 
-class Stopwatch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 Result<void> check_files(const MergeArguments& arguments) {
   std::vector<NamedFile> inputs{{"BASE", arguments.base}}, outputs{{"-o", arguments.output}};
   for (const std::string& part : arguments.parts) inputs.push_back({"PART", part});
+  outputs.push_back({"the side file of -o", arguments.output + ".carry"});
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
   if (const auto known = writable_format(arguments.output); !known) return known;
   return check_outputs(inputs, outputs);
 }
 
-Result<Inputs> read(const MergeArguments& arguments, Progress& progress) {
+Result<Inputs> read(const MergeArguments& arguments, const Stopwatch::Progress& show) {
   const ReadOptions options{.threads = arguments.common.threads};
-  progress.show("reading " + printable(arguments.base), 0);
+  show("reading " + printable(arguments.base), 0);
   auto base = read_unv(arguments.base, options);
   if (!base) return Failure(base.error());
   Inputs inputs{std::move(*base), {}};
   for (const std::string& path : arguments.parts) {
-    progress.show("reading " + printable(path), kReadShare);
+    show("reading " + printable(path), kReadShare);
     auto part = read_unv(path, options);
     if (!part) return Failure(part.error());
     inputs.parts.push_back(std::move(*part));
@@ -58,14 +49,18 @@ Result<Inputs> read(const MergeArguments& arguments, Progress& progress) {
   return inputs;
 }
 
-/// What the merge cannot know: the program, the files, what was found while reading.
-void complete(Report& report, const Inputs& inputs, const MergeArguments& arguments, double reading) {
-  report.version = MESHGRAFT_VERSION;
-  report.timings.insert(report.timings.begin(), {"read", reading});
-  if (!arguments.report.empty()) {  // the digests cost a pass over all bytes
-    report.inputs = {input_summary(inputs.base)};
-    for (const Model& part : inputs.parts) report.inputs.push_back(input_summary(part));
-  }
+/// What the merge cannot know: the digests, and the time before it. Digests cost a pass over all bytes.
+void complete(Report& report, const Inputs& inputs, const MergeArguments& arguments, const Stopwatch& watch) {
+  report.timings.insert(report.timings.begin(), watch.timings().begin(), watch.timings().end());
+  if (arguments.report.empty()) return;
+  report.inputs = {input_summary(inputs.base)};
+  for (const Model& part : inputs.parts) report.inputs.push_back(input_summary(part));
+}
+
+/// What was found while reading, if no report comes to tell it.
+void print_reading_warnings(const Inputs& inputs, Talk talk) {
+  print_warnings(inputs.base.warnings, talk);
+  for (const Model& part : inputs.parts) print_warnings(part.warnings, talk);
 }
 
 bool parts_apart(const Report& report) {
@@ -76,7 +71,6 @@ bool parts_apart(const Report& report) {
 ///   returns   the last line of the summary
 Result<std::string> write(const MergeArguments& arguments, const Inputs& inputs, Merged& merged) {
   const std::vector<Error>& broken = merged.report.broken_promises;
-  for (const Error& promise : broken) print_error(promise);
   if (!broken.empty() && !arguments.allow_poor) {
     const auto done = write_report(arguments, merged.report);
     if (!done) return Failure(done.error());
@@ -94,24 +88,28 @@ ExitCode run(const MergeArguments& arguments) {
   if (const auto good = check_files(arguments); !good) return failed(good.error());
   const bool quiet = arguments.common.talk == Talk::kQuiet;
   Progress progress(!quiet);
-  const Stopwatch reading;
-  const auto inputs = read(arguments, progress);
+  const Stopwatch::Progress show = [&](std::string_view stage, double done) { progress.show(stage, done); };
+  Stopwatch watch(show);
+  watch.start("read", 0);
+  const auto inputs = read(arguments, show);
+  watch.stop();
   progress.clear();
   if (!inputs) return failed(inputs.error());
-  const double read_seconds = reading.seconds();
 
   MergeOptions options = arguments.options;
-  options.progress = [&](std::string_view stage, double done) {
-    progress.show(stage, kReadShare + kMergeShare * done);
-  };
+  options.progress = [&](std::string_view stage, double done) { show(stage, kReadShare + kMergeShare * done); };
   auto merged = merge(inputs->base, inputs->parts, options);
   progress.clear();
-  if (!merged) return failed(merged.error());
+  if (!merged) {
+    print_reading_warnings(*inputs, arguments.common.talk);
+    return failed(merged.error());
+  }
   Report& report = merged->report;
-  complete(report, *inputs, arguments, read_seconds);
   print_warnings(report.warnings, arguments.common.talk);
+  for (const Error& promise : report.broken_promises) print_error(promise);
 
-  progress.show("writing " + printable(arguments.output), kReadShare + kMergeShare);
+  show("writing " + printable(arguments.output), kReadShare + kMergeShare);
+  complete(report, *inputs, arguments, watch);
   const auto written = write(arguments, *inputs, *merged);
   progress.clear();
   if (!written) return failed(written.error());

@@ -11,6 +11,7 @@
 #include "cli/deferred_signals.hpp"
 #include "cli/outputs.hpp"
 #include "io/atomic_output.hpp"
+#include "merge/stopwatch.hpp"
 #include "meshgraft/unv.hpp"
 
 namespace meshgraft::cli {
@@ -36,9 +37,11 @@ class StagedMesh {
   [[nodiscard]] const std::string& path() const { return staged_; }
 
   Result<void> publish() {
-    std::error_code error;
-    if (fs::exists(staged_ + kCarry, error)) fs::rename(staged_ + kCarry, target_ + kCarry, error);
+    std::error_code error, ignored;
+    const bool has_carry = fs::exists(staged_ + kCarry, ignored);
+    if (has_carry) fs::rename(staged_ + kCarry, target_ + kCarry, error);
     if (!error) fs::rename(staged_, target_, error);
+    if (!error && !has_carry) fs::remove(target_ + kCarry, ignored);  // of an earlier run, as write_unv does
     if (!error) return {};
     return failure(ErrorCode::kCannotWrite, fmt::format("the finished file cannot be put there: {}", error.message()),
                    "choose another name or directory", {target_, 0});
@@ -47,6 +50,17 @@ class StagedMesh {
  private:
   std::string target_, staged_;
 };
+
+/// write_unv, with its time among the others.
+Result<void> write_mesh(const Model& base, std::span<const Model> parts, Merged& merged, const std::string& path) {
+  const Stopwatch::Progress silent;
+  Stopwatch watch(silent);
+  watch.start("write", 1);
+  Result<void> done = write_unv(base, parts, merged, path, merged.report);
+  watch.stop();
+  merged.report.timings.push_back(watch.timings().back());
+  return done;
+}
 
 }  // namespace
 
@@ -62,12 +76,12 @@ Result<void> write_outputs(const MergeArguments& arguments, const Model& base, s
                            Merged& merged) {
   const DeferredSignals whole_or_not_at_all;
   if (arguments.report.empty() || !is_replaced(arguments.output)) {
-    const auto written = write_unv(base, parts, merged, arguments.output, merged.report);
+    const auto written = write_mesh(base, parts, merged, arguments.output);
     return written ? write_report(arguments, merged.report) : written;
   }
   // The report needs figures of the writer, and either file may fail: the mesh waits for the report.
   StagedMesh mesh(without_links(arguments.output));
-  Result<void> done = write_unv(base, parts, merged, mesh.path(), merged.report);
+  Result<void> done = write_mesh(base, parts, merged, mesh.path());
   if (!done && done.error().place.file == mesh.path()) done.error().place.file = arguments.output;
   if (done) done = write_report(arguments, merged.report);
   return done ? mesh.publish() : done;

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
+#include <map>
 #include <set>
 
 #include "cli/print.hpp"
@@ -12,11 +13,13 @@ namespace meshgraft::cli {
 namespace {
 
 constexpr std::size_t kPoorShown = 3;
+constexpr const char* kSideFile = "side file";  // a fate of write_unv
 
-/// The path of an input as the user gave it.
+/// The file of an input, without its folder.
 std::string input_name(const MergeArguments& arguments, std::size_t input) {
-  if (input == 0) return printable(arguments.base);
-  return input <= arguments.parts.size() ? printable(arguments.parts[input - 1]) : fmt::format("input {}", input);
+  if (input > arguments.parts.size()) return fmt::format("input {}", input);
+  const std::string& path = input == 0 ? arguments.base : arguments.parts[input - 1];
+  return printable(std::filesystem::path(path).filename().string());
 }
 
 std::string junction(const Report& report, const MergeArguments& arguments) {
@@ -82,7 +85,7 @@ std::string groups(const Report& report) {
                      static_cast<std::ptrdiff_t>(report.groups.size()) - n, n - lost, lost);
 }
 
-std::string labels(const Report& report) {
+std::string labels(const Report& report, const MergeArguments& arguments) {
   if (report.labels.empty()) return "all kept";
   std::size_t nodes = 0;
   std::set<std::pair<std::uint32_t, std::int64_t>> shifts;
@@ -90,15 +93,26 @@ std::string labels(const Report& report) {
   std::string text =
       fmt::format("base kept; of the parts, {} and {} moved where taken already:", counted(nodes, "node", "nodes"),
                   counted(report.labels.size() - nodes, "element", "elements"));
-  for (const auto& [input, shift] : shifts) text += fmt::format(" +{} (part {})", shift, input);
+  for (const auto& [input, shift] : shifts) text += fmt::format(" +{} ({})", shift, input_name(arguments, input));
   return text;
 }
 
-std::string moved(const Report& report) {
+std::string moved(const Report& report, const MergeArguments& arguments) {
   if (report.moved.empty()) return "no node of an input";
   const auto furthest = std::ranges::max_element(report.moved, {}, &MovedEntry::distance);
-  return fmt::format("{} of the parts, at most {} (node {} of part {})", counted(report.moved.size(), "node", "nodes"),
-                     figure(furthest->distance), furthest->node, furthest->input);
+  return fmt::format("{} of the parts, at most {} (node {} of {})", counted(report.moved.size(), "node", "nodes"),
+                     figure(furthest->distance), furthest->node, input_name(arguments, furthest->input));
+}
+
+/// Text that is not interpreted, by what became of it.
+std::string other_data(const Report& report, const MergeArguments& arguments) {
+  std::map<std::string, std::size_t> fates;
+  for (const DatasetEntry& d : report.datasets) ++fates[d.fate];
+  std::string text;
+  for (const auto& [fate, n] : fates)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", counted(n, "dataset", "datasets"), fate);
+  if (fates.contains(kSideFile)) text += fmt::format(" {}.carry", printable(arguments.output));
+  return text;
 }
 
 void print_details(const Report& report) {
@@ -129,10 +143,11 @@ void print_summary(const Report& report, const MergeArguments& arguments, std::s
   print_line("quality", quality(report, arguments));
   print_line("surface", surface(report));
   print_line("groups", groups(report));
-  print_line("labels", labels(report));
-  print_line("moved", moved(report));
+  print_line("labels", labels(report, arguments));
+  print_line("moved", moved(report, arguments));
   print_line("untouched", fmt::format("{} nodes, {} elements, {} of text", report.untouched.nodes,
                                       report.untouched.elements, bytes(report.untouched.bytes)));
+  if (const std::string text = other_data(report, arguments); !text.empty()) print_line("other data", text);
   print_line("warnings", fmt::format("{}", report.warnings.size()));
   if (arguments.common.talk == Talk::kVerbose) print_details(report);
   print_line("written", written);
