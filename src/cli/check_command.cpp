@@ -46,6 +46,12 @@ void print_quality(const Model& model, const CheckResult& r, double min_quality)
   print_line("quality", text);
 }
 
+const char* verdict(const CheckResult& r) {
+  if (r.faces == 0) return "nothing to check: no triangles";
+  return r.sound() ? "sound: no degenerate or duplicate triangle, no intersection"
+                   : "not sound: degenerate, duplicate or intersecting triangles";
+}
+
 void print_check(const Model& model, const CheckResult& r, double min_quality) {
   print_line("triangles", fmt::format("{}, area {}", r.faces, figure(r.area)));
   print_line(
@@ -61,8 +67,7 @@ void print_check(const Model& model, const CheckResult& r, double min_quality) {
   print_line("unused nodes", findings<NodeId>(model, r.n_orphan_nodes, r.orphan_nodes));
   print_line("groups", fmt::format("{}; {} empty; {} of things that do not exist", model.groups.size(), r.empty_groups,
                                    counted(r.dangling_group_entries, "entry", "entries")));
-  print_line("verdict", r.sound() ? "sound: no degenerate or duplicate triangle, no intersection"
-                                  : "not sound: degenerate, duplicate or intersecting triangles");
+  print_line("verdict", verdict(r));
 }
 
 }  // namespace

@@ -34,6 +34,17 @@ TEST(Check, AcceptsASoundMesh) {
   EXPECT_TRUE(says(outcome, "verdict       sound")) << outcome.out;
 }
 
+TEST(Check, SaysThatItFoundNothingToCheck) {
+  const Folder folder;
+  ModelBuilder b;
+  b.add_line(b.add_node({0, 0, 0}), b.add_node({1, 0, 0}));
+  folder.put("beam.unv", b.build());
+  const Outcome outcome = folder.run({"check", "beam.unv"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_TRUE(says(outcome, "not checked: 1 element of other kinds")) << outcome.out;
+  EXPECT_TRUE(says(outcome, "verdict       nothing to check")) << outcome.out;
+}
+
 TEST(Check, NamesFacesThatIntersectByLabelAndLine) {
   const Folder folder;
   folder.put("plate.unv", folded(true));

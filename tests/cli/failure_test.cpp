@@ -1,5 +1,6 @@
 // Exit codes 1, 3, 4 and 5: what is said, and that files are as they were.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -108,6 +109,22 @@ TEST(OutputDirectory, IsCheckedBeforeTheInputsAreRead) {
                    {"[cannot-write]", "is a directory"});
   expect_no_output({"merge", "nowhere.unv", "part.unv", "-o", "out.unv", "--report", "no/such/r.json"}, 5,
                    {"no/such/r.json", "[cannot-write]"});
+}
+
+TEST(Permissions, AreRespected) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read and write everything";
+  const Folder folder;
+  folder.put_plates();
+  folder.put("protected.unv", kOld);
+  std::filesystem::create_directory(folder.path() / "locked");
+  using std::filesystem::perms;
+  std::filesystem::permissions(folder.path() / "protected.unv", perms::owner_read);
+  std::filesystem::permissions(folder.path() / "part.unv", perms::none);
+  std::filesystem::permissions(folder.path() / "locked", perms::owner_read | perms::owner_exec);
+  EXPECT_EQ(folder.run({"info", "part.unv"}).code, 3);
+  EXPECT_EQ(folder.run({"convert", "base.unv", "protected.unv"}).code, 5);
+  EXPECT_EQ(folder.run({"convert", "base.unv", "locked/out.unv"}).code, 5);
+  EXPECT_EQ(folder.text("protected.unv"), kOld);
 }
 
 TEST(FullDisk, IsExitCode5) {
