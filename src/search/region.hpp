@@ -17,9 +17,9 @@ struct Reach {
   double distance = 0;  // > 0
 };
 
-/// Grid cells that hold every point within reach of a box, and up to 1.5 times as far again.
-/// Each reach goes into a grid with cells of about its size (2^(k/2) for some k), so that large and small faces
-/// side by side mark a few cells each.
+/// Grid cells that hold every point within reach of a box, and points up to 1.5 times as far again.
+/// Each reach goes into a grid with cells of about its size (2^(k/2) for some k), so that large and
+/// small faces side by side mark a few cells each.
 class Region {
  public:
   explicit Region(std::span<const Reach> reaches);

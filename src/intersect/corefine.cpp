@@ -1,0 +1,137 @@
+#include "intersect/corefine.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/quality.hpp"
+#include "intersect/imprint.hpp"
+#include "intersect/shared.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// Bending side 1 to side 0 by up to the tolerance can make it meet side 0 anew. Later rounds look
+/// at what is there then, without tolerance, until nothing new is found.
+constexpr int kMaxRounds = 6;
+
+class Corefiner {
+ public:
+  Corefiner(const Complex& complex, GroupSets& groups, const CorefineOptions& options)
+      : complex_(complex), groups_(groups), options_(options) {
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      marks_.size.push_back(mean_edge_length(complex.corners(FaceId(f))));
+    marks_.touched.assign(complex.n_faces(), 0);
+    marks_.active.assign(complex.n_faces(), 1);
+  }
+
+  tl::expected<Corefined, JunctionFault> run() {
+    std::vector<std::uint32_t> components = complex_.component;
+    std::sort(components.begin(), components.end());
+    components.erase(std::unique(components.begin(), components.end()), components.end());
+    for (std::size_t i = 1; i < components.size(); ++i)
+      if (auto fault = join(components[i])) return tl::unexpected(std::move(*fault));
+    if (auto fault = find_doubled_face(complex_, marks_.touched)) return tl::unexpected(std::move(*fault));
+    return result();
+  }
+
+ private:
+  /// Joins one component to all earlier ones.
+  std::optional<JunctionFault> join(std::uint32_t component) {
+    std::fill(marks_.active.begin(), marks_.active.end(), 1);
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const SnapRule rule(complex_, options_, round == 0);
+      const std::array<std::vector<FaceId>, 2> faces = active_faces(component);
+      const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
+      if (pairs.empty()) return std::nullopt;
+      std::array<std::vector<std::uint8_t>, 2> own = owners(component);
+      Meeting m = make_meeting(complex_, groups_, marks_.size, rule, pairs, own[0], own[1], options_.sharp_angle);
+      declare_vertices(m);
+      declare_edges(m);
+      find_crossings(m);
+      if (round > 0 && !has_news(m)) return std::nullopt;
+      remember_moves(m);
+      const auto imprint = link_symbols(m, options_);
+      if (!imprint) return imprint.error();
+      if (auto fault = find_flat_face(m, *imprint)) return fault;
+      if (auto fault = apply(m, *imprint, marks_)) return fault;
+    }
+    return JunctionFault{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}};
+  }
+
+  [[nodiscard]] std::array<std::vector<FaceId>, 2> active_faces(std::uint32_t component) const {
+    std::array<std::vector<FaceId>, 2> faces;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (marks_.active[f] && complex_.component[f] <= component)
+        faces[complex_.component[f] == component].push_back(FaceId(f));
+    return faces;
+  }
+
+  [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners(std::uint32_t component) const {
+    std::array<std::vector<std::uint8_t>, 2> own;
+    for (const std::uint32_t c : complex_.component) own[0].push_back(c < component), own[1].push_back(c == component);
+    return own;
+  }
+
+  /// True if there is more than the vertices that both sides have already.
+  static bool has_news(const Meeting& m) {
+    return std::any_of(m.symbols.begin(), m.symbols.end(), [](const Symbol& s) {
+      return s.on[0].kind != Carrier::kVertex || s.on[1].kind != Carrier::kVertex || s.on[0].id != s.on[1].id;
+    });
+  }
+
+  void remember_moves(const Meeting& m) {
+    for (const auto& [v, from] : m.moved) moved_from_.emplace(v, from);
+    for (const auto& [y, x] : m.replaced) {
+      moved_from_.erase(y);
+      if (complex_.node[y.value].valid()) replaced_.push_back({complex_.node[y.value], x});
+    }
+  }
+
+  /// A face without area cannot be cut; such faces of the input are named before it is tried.
+  [[nodiscard]] std::optional<JunctionFault> find_flat_face(const Meeting& m,
+                                                            const std::array<Imprint, 2>& imprint) const {
+    for (const std::size_t s : kSides)
+      for (LocalFace f = 0; f < m.side[s].n_faces(); ++f) {
+        const FaceId id = m.side[s].face(f);
+        if (!imprint[s].touched[f] || marks_.touched[id.value]) continue;
+        const Triangle t = m.triangle(s, f);
+        const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+        if (2 * area(t) <= longest * m.rule.at(marks_.size[id.value]).weld)
+          return JunctionFault{ErrorCode::kDegenerateFace,
+                               "a face without area meets another mesh",
+                               {complex_.parent[id.value]},
+                               centroid(t)};
+      }
+    return std::nullopt;
+  }
+
+  Corefined result() {
+    Corefined out;
+    for (const auto& [v, from] : moved_from_)
+      if (complex_.node[v.value].valid())
+        out.moves.push_back({complex_.node[v.value], v, from, complex_.position[v.value]});
+    std::sort(out.moves.begin(), out.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    std::sort(replaced_.begin(), replaced_.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    out.replaced = std::move(replaced_);
+    out.touched = std::move(marks_.touched);
+    out.complex = std::move(complex_);
+    find_shared(out);
+    return out;
+  }
+
+  Complex complex_;
+  GroupSets& groups_;
+  const CorefineOptions& options_;
+  FaceMarks marks_;
+  std::map<VertexId, Vec3> moved_from_;
+  std::vector<Corefined::Replaced> replaced_;
+};
+
+}  // namespace
+
+tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
+                                                const CorefineOptions& options) {
+  return Corefiner(complex, groups, options).run();
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,199 @@
+// Incidences within the snap length, decided in order of dimension. What is declared here is never
+// asked of coordinates again.
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/closest.hpp"
+#include "intersect/meeting.hpp"
+
+namespace meshgraft {
+namespace {
+
+Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
+
+/// Vertices that both sides have already (from an earlier round).
+void declare_shared(Meeting& m) {
+  for (const FacePair& p : m.pairs)
+    for (const VertexId x : m.side[0].corners(p[0]))
+      for (const VertexId y : m.side[1].corners(p[1]))
+        if (x == y && !m.has_symbol(0, x)) m.add({x, {vertex(x), vertex(y)}});
+}
+
+/// A vertex of side 1 becomes a vertex of side 0. Ordered by distance, so that the nearest win.
+struct VertexPair {
+  double distance = 0;
+  VertexId x, y;
+  friend auto operator<=>(const VertexPair&, const VertexPair&) = default;
+};
+
+std::vector<VertexPair> near_vertices(const Meeting& m) {
+  std::vector<VertexPair> found;
+  for (const FacePair& p : m.pairs) {
+    const Snap snap = m.snap(p);
+    for (const VertexId y : m.side[1].corners(p[1])) {
+      if (m.has_symbol(1, y) || m.complex.state[y.value] == VertexState::kFrozen) continue;
+      for (const VertexId x : m.side[0].corners(p[0])) {
+        const double d = distance(m.at(x), m.at(y));
+        if (d <= snap.of(m.side[0].is_feature(x) || m.side[1].is_feature(y))) found.push_back({d, x, y});
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Several vertices of side 1 may become one of side 0 (open seams), but not two ends of an edge.
+bool would_collapse(const Meeting& m, VertexId x, VertexId y) {
+  for (const Symbol& s : m.symbols)
+    if (s.vertex == x && m.side[1].find(VertexId(std::size_t{s.on[1].id}), y) != kNowhere) return true;
+  return false;
+}
+
+void replace(Meeting& m, VertexId x, VertexId y) {
+  m.add({x, {vertex(x), vertex(y)}});
+  m.replaced.push_back({y, x});
+  auto& groups = m.complex.vertex_groups;
+  groups[x.value] = m.groups.unite(groups[x.value], groups[y.value]);
+  m.complex.state[x.value] = std::max(m.complex.state[x.value], m.complex.state[y.value]);
+}
+
+void declare_vertex_on_vertex(Meeting& m) {
+  for (const auto& [d, x, y] : near_vertices(m)) {
+    if (m.has_symbol(1, y)) continue;
+    if (m.has_symbol(0, x) && would_collapse(m, x, y)) continue;
+    replace(m, x, y);
+  }
+}
+
+/// A vertex of one side near an edge or a face of the other.
+struct Landing {
+  VertexId vertex;
+  double distance = 0;
+  std::uint32_t on = 0;  // LocalEdge or LocalFace of the other side
+  double t = 0;          // on an edge
+  Vec3 point;
+};
+
+/// The nearest landing of each vertex, ties by id; `found` in any order.
+std::vector<Landing> nearest_of_each(std::vector<Landing> found) {
+  std::sort(found.begin(), found.end(), [](const Landing& a, const Landing& b) {
+    return std::tie(a.vertex, a.distance, a.on) < std::tie(b.vertex, b.distance, b.on);
+  });
+  const auto same = [](const Landing& a, const Landing& b) { return a.vertex == b.vertex; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  return found;
+}
+
+/// A vertex that may still be declared to lie on the other side.
+bool is_undecided(const Meeting& m, std::size_t s, VertexId v) {
+  return !m.has_symbol(s, v) && (s == 0 || m.complex.state[v.value] != VertexState::kFrozen);
+}
+
+std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
+  const Side& other = m.side[1 - s];
+  std::vector<Landing> found;
+  for (const FacePair& p : m.pairs) {
+    const Snap snap = m.snap(p);
+    for (const VertexId v : m.side[s].corners(p[s])) {
+      if (!is_undecided(m, s, v)) continue;
+      for (const LocalEdge e : other.edges(p[1 - s])) {
+        const auto& [low, high] = other.ends(e);
+        const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
+        const double d = distance(m.at(v), c.point);
+        if (c.t > 0 && c.t < 1 && d <= snap.of(m.side[s].is_feature(v) || other.is_feature_edge(e)))
+          found.push_back({v, d, e, c.t, c.point});
+      }
+    }
+  }
+  return nearest_of_each(std::move(found));
+}
+
+std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
+  std::vector<Landing> found;
+  for (const FacePair& p : m.pairs) {
+    const Snap snap = m.snap(p);
+    for (const VertexId v : m.side[s].corners(p[s])) {
+      if (!is_undecided(m, s, v)) continue;
+      const TrianglePoint c = closest_on_triangle(m.at(v), m.triangle(1 - s, p[1 - s]));
+      const double d = distance(m.at(v), c.point);
+      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= snap.of(m.side[s].is_feature(v)))
+        found.push_back({v, d, p[1 - s], 0, c.point});
+    }
+  }
+  return nearest_of_each(std::move(found));
+}
+
+/// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
+void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carrier::Kind kind) {
+  for (const Landing& l : landings) {
+    Symbol symbol{l.vertex, {}};
+    symbol.on[s] = vertex(l.vertex);
+    symbol.on[1 - s] = {kind, l.on, l.t};
+    m.add(symbol);
+    GroupSetId& groups = m.complex.vertex_groups[l.vertex.value];
+    groups = m.groups.unite(groups, m.groups_on(1 - s, symbol.on[1 - s]));
+    if (s == 0 || m.at(l.vertex) == l.point) continue;
+    m.moved.emplace_back(l.vertex, m.at(l.vertex));
+    m.complex.position[l.vertex.value] = l.point;
+  }
+}
+
+/// True if a vertex of one edge was declared to lie on the other edge.
+bool share_symbol(const Meeting& m, LocalEdge e, LocalEdge f) {
+  for (const std::size_t s : kSides)
+    for (const VertexId v : m.side[s].ends(s == 0 ? e : f))
+      if (m.has_symbol(s, v) && m.on_edge(m.symbols[m.symbol_of[s][v.value]], 1 - s, s == 0 ? f : e)) return true;
+  return false;
+}
+
+struct EdgePair {
+  std::array<LocalEdge, 2> edge;
+  std::array<double, 2> t;
+  Vec3 point;  // on the edge of side 0
+};
+
+std::vector<EdgePair> passing_edges(const Meeting& m) {
+  std::vector<EdgePair> found;
+  for (const FacePair& p : m.pairs) {
+    const Snap snap = m.snap(p);
+    for (const LocalEdge e : m.side[0].edges(p[0]))
+      for (const LocalEdge f : m.side[1].edges(p[1])) {
+        const auto& [a, b] = m.side[0].ends(e);
+        const auto& [c, d] = m.side[1].ends(f);
+        const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
+        const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
+        const double gap = snap.of(m.side[0].is_feature_edge(e) || m.side[1].is_feature_edge(f));
+        if (inside && distance(near.first.point, near.second.point) <= gap && !share_symbol(m, e, f))
+          found.push_back({{e, f}, {near.first.t, near.second.t}, near.first.point});
+      }
+  }
+  std::sort(found.begin(), found.end(), [](const EdgePair& a, const EdgePair& b) { return a.edge < b.edge; });
+  const auto same = [](const EdgePair& a, const EdgePair& b) { return a.edge == b.edge; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  return found;
+}
+
+}  // namespace
+
+void declare_vertices(Meeting& m) {
+  declare_shared(m);
+  declare_vertex_on_vertex(m);
+  // A replaced vertex is where its replacement is; the geometry of side 1 follows at once.
+  for (const auto& [y, x] : m.replaced) m.complex.position[y.value] = m.at(x);
+  land(m, 1, landings_on_edges(m, 1), Carrier::kEdge);
+  land(m, 1, landings_on_faces(m, 1), Carrier::kFace);
+  land(m, 0, landings_on_edges(m, 0), Carrier::kEdge);
+  land(m, 0, landings_on_faces(m, 0), Carrier::kFace);
+}
+
+void declare_edges(Meeting& m) {
+  for (const EdgePair& p : passing_edges(m)) {
+    const std::array<Carrier, 2> on{Carrier{Carrier::kEdge, p.edge[0], p.t[0]},
+                                    Carrier{Carrier::kEdge, p.edge[1], p.t[1]}};
+    m.add({m.new_vertex(p.point, on), on});
+    m.crossed_edges.push_back(p.edge);
+  }
+}
+
+}  // namespace meshgraft

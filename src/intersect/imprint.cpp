@@ -1,0 +1,146 @@
+#include "intersect/imprint.hpp"
+
+#include <algorithm>
+
+#include "geometry/quality.hpp"
+#include "intersect/cut_face.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// The part of an ascending list whose field `key` equals `value`.
+template <class T, class K>
+std::span<const T> range_of(const std::vector<T>& list, K T::*key, K value) {
+  const auto first = std::lower_bound(list.begin(), list.end(), value, [&](const T& a, K v) { return a.*key < v; });
+  const auto last = std::upper_bound(first, list.end(), value, [&](K v, const T& a) { return v < a.*key; });
+  return {first, last};
+}
+
+class Imprinter {
+ public:
+  Imprinter(Meeting& m, const std::array<Imprint, 2>& imprint) : m_(m), imprint_(imprint), by_(m.complex.n_vertices()) {
+    for (std::size_t v = 0; v < by_.size(); ++v) by_[v] = VertexId(v);
+    for (const auto& [y, x] : m.replaced) by_[y.value] = x;
+  }
+
+  std::optional<JunctionFault> run(FaceMarks& marks) {
+    if (auto fault = check_fixed_edges()) return fault;
+    split_lines();
+    return rebuild_faces(marks);
+  }
+
+ private:
+  /// Points inside the edge from a to b, in that direction; the edge as it was before the meeting.
+  [[nodiscard]] std::vector<VertexId> points_on(std::size_t s, LocalEdge e, VertexId from) const {
+    std::vector<VertexId> points;
+    for (const Imprint::OnEdge& p : range_of(imprint_[s].on_edges, &Imprint::OnEdge::edge, e))
+      points.push_back(p.vertex);
+    if (from != m_.side[s].ends(e)[0]) std::reverse(points.begin(), points.end());
+    return points;
+  }
+
+  std::optional<JunctionFault> check_fixed_edges() {
+    for (auto& edge : m_.complex.fixed_edges) {
+      for (const std::size_t s : kSides) {
+        const LocalEdge e = m_.side[s].find(edge[0], edge[1]);
+        if (e == kNowhere) continue;
+        const std::vector<VertexId> points = points_on(s, e, edge[0]);
+        if (points.empty()) continue;
+        const FaceId f = m_.side[s].face(m_.side[s].faces_at_edge(e)[0]);
+        return JunctionFault{ErrorCode::kUnsupportedElement,
+                             "an edge of an element that cannot be remeshed meets another mesh",
+                             {m_.complex.parent[f.value]},
+                             m_.at(points[0])};
+      }
+      edge = {by_[edge[0].value], by_[edge[1].value]};
+      std::sort(edge.begin(), edge.end());
+    }
+    return std::nullopt;
+  }
+
+  void split_lines() {
+    std::vector<Complex::Line> lines;
+    for (const Complex::Line& line : m_.complex.lines) {
+      std::vector<VertexId> chain{by_[line.ends[0].value]};
+      for (const std::size_t s : kSides) {
+        const LocalEdge e = m_.side[s].find(line.ends[0], line.ends[1]);
+        if (e == kNowhere) continue;
+        const std::vector<VertexId> points = points_on(s, e, line.ends[0]);
+        chain.insert(chain.end(), points.begin(), points.end());
+        break;
+      }
+      chain.push_back(by_[line.ends[1].value]);
+      for (std::size_t i = 1; i < chain.size(); ++i)
+        lines.push_back({{chain[i - 1], chain[i]}, line.parent, line.groups, line.attributes});
+    }
+    m_.complex.lines = std::move(lines);
+  }
+
+  [[nodiscard]] FaceToCut face_to_cut(std::size_t s, LocalFace f) const {
+    FaceToCut face;
+    const auto& corners = m_.side[s].corners(f);
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corner[k] = by_[corners[k].value];
+      face.on_edge[k] = points_on(s, m_.side[s].edges(f)[k], corners[k]);
+    }
+    for (const auto& p : range_of(imprint_[s].on_faces, &Imprint::OnFace::face, f)) face.inside.push_back(p.vertex);
+    for (const auto& p : range_of(imprint_[s].segments, &Imprint::Segment::face, f)) face.segments.push_back(p.ends);
+    return face;
+  }
+
+  [[nodiscard]] JunctionFault fault(std::size_t s, LocalFace f) const {
+    const FaceId id = m_.side[s].face(f);
+    const Triangle t = m_.triangle(s, f);
+    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+    const bool flat = area(t) <= 0.5 * longest * m_.rule.at(m_.size[id.value]).weld;
+    return {flat ? ErrorCode::kDegenerateFace : ErrorCode::kJunctionNotResolved,
+            flat ? "a face without area meets another mesh" : "a face cannot be cut along the junction",
+            {m_.complex.parent[id.value]},
+            centroid(t)};
+  }
+
+  std::optional<JunctionFault> rebuild_faces(FaceMarks& marks) {
+    Complex& c = m_.complex;
+    Complex old;  // the lists of faces as they were
+    std::swap(old.face, c.face), std::swap(old.parent, c.parent), std::swap(old.component, c.component);
+    std::swap(old.face_groups, c.face_groups), std::swap(old.face_attributes, c.face_attributes);
+    FaceMarks now;
+    std::array<LocalFace, 2> next{0, 0};
+    for (std::size_t f = 0; f < old.face.size(); ++f) {
+      const auto add = [&](const std::array<VertexId, 3>& v, bool touched, bool active) {
+        c.add_face(v, old, FaceId(f));
+        now.size.push_back(marks.size[f]), now.touched.push_back(touched), now.active.push_back(active);
+      };
+      std::size_t s = 0;
+      while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;
+      if (s == 2) {
+        const auto& v = old.face[f];
+        add({by_[v[0].value], by_[v[1].value], by_[v[2].value]}, marks.touched[f], false);
+        continue;
+      }
+      const LocalFace local = next[s]++;
+      const bool touched = marks.touched[f] || imprint_[s].touched[local];
+      const FaceToCut face = face_to_cut(s, local);
+      const auto pieces = cut(face, c.position);
+      if (!pieces) {
+        std::swap(old.face, c.face), std::swap(old.parent, c.parent);
+        return fault(s, local);
+      }
+      for (const auto& v : *pieces) add(v, touched, true);
+    }
+    marks = std::move(now);
+    return std::nullopt;
+  }
+
+  Meeting& m_;
+  const std::array<Imprint, 2>& imprint_;
+  std::vector<VertexId> by_;  // by vertex: itself or its replacement
+};
+
+}  // namespace
+
+std::optional<JunctionFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks) {
+  return Imprinter(meeting, imprint).run(marks);
+}
+
+}  // namespace meshgraft

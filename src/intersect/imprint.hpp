@@ -1,0 +1,25 @@
+// Rebuilds a complex with the imprint of a meeting.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "intersect/links.hpp"
+
+namespace meshgraft {
+
+/// What goes with each face of the complex under work; same length as Complex::face.
+struct FaceMarks {
+  std::vector<double> size;           // mean edge length of the input face
+  std::vector<std::uint8_t> touched;  // its input face meets another component
+  std::vector<std::uint8_t> active;   // near the other side in the last meeting, or cut out of such a face
+};
+
+/// Cuts the faces of both sides, replaces vertices that became one, splits lines along split edges.
+/// `marks` follows the faces. Pieces of a face stand where the face stood.
+///
+/// Faults: kUnsupportedElement if an edge that may not be split has a point, kDegenerateFace or
+/// kJunctionNotResolved if a face cannot be cut. The complex is then left half done.
+std::optional<JunctionFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks);
+
+}  // namespace meshgraft

@@ -1,0 +1,153 @@
+#include "intersect/meeting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kLargestSnap = 0.25;           // of the local edge length, whatever tolerance is asked for
+constexpr double kRounding = 1.0 / (1L << 36);  // of the largest coordinate: a thousand times what it costs
+
+bool contains(const std::array<VertexId, 3>& corners, std::uint32_t v) {
+  return corners[0].value == v || corners[1].value == v || corners[2].value == v;
+}
+
+}  // namespace
+
+SnapRule::SnapRule(const Complex& complex, const CorefineOptions& options, bool features)
+    : options_(options), features_(features) {
+  double largest = 0;
+  for (const Vec3 p : complex.position) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  rounding_ = kRounding * largest;
+}
+
+Snap SnapRule::at(double size) const {
+  const double weld = std::max(options_.weld_share * size, rounding_);
+  if (!features_) return {weld, weld};
+  return {std::max(weld, std::min(options_.tolerance.at(size), kLargestSnap * size)), weld};
+}
+
+bool Meeting::on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const {
+  const Carrier& on = symbol.on[s];
+  if (on.kind == Carrier::kEdge) return on.id == e;
+  const auto& ends = side[s].ends(e);
+  return on.kind == Carrier::kVertex && (on.id == ends[0].value || on.id == ends[1].value);
+}
+
+bool Meeting::on_face(const Symbol& symbol, std::size_t s, LocalFace f) const {
+  const Carrier& on = symbol.on[s];
+  if (on.kind == Carrier::kFace) return on.id == f;
+  if (on.kind == Carrier::kVertex) return contains(side[s].corners(f), on.id);
+  const auto& edges = side[s].edges(f);
+  return edges[0] == on.id || edges[1] == on.id || edges[2] == on.id;
+}
+
+std::uint32_t Meeting::add(const Symbol& symbol) {
+  const auto id = static_cast<std::uint32_t>(symbols.size());
+  symbols.push_back(symbol);
+  for (const std::size_t s : kSides)
+    if (symbol.on[s].kind == Carrier::kVertex && symbol_of[s][symbol.on[s].id] == kNowhere)
+      symbol_of[s][symbol.on[s].id] = id;
+  return id;
+}
+
+GroupSetId Meeting::groups_on(std::size_t s, const Carrier& on) {
+  const auto of = [&](VertexId v) { return complex.vertex_groups[v.value]; };
+  if (on.kind == Carrier::kVertex) return of(VertexId(std::size_t{on.id}));
+  if (on.kind == Carrier::kEdge) return groups.intersect(of(side[s].ends(on.id)[0]), of(side[s].ends(on.id)[1]));
+  const auto& v = side[s].corners(on.id);
+  return groups.intersect(groups.intersect(of(v[0]), of(v[1])), of(v[2]));
+}
+
+VertexId Meeting::new_vertex(Vec3 p, const std::array<Carrier, 2>& on) {
+  const GroupSetId both = groups.unite(groups_on(0, on[0]), groups_on(1, on[1]));
+  return complex.add_vertex(p, {}, VertexState::kOpen, both);
+}
+
+namespace {
+
+Box grown_box(const Complex& complex, FaceId f, std::span<const double> size, const SnapRule& rule) {
+  Box box;
+  for (const Vec3 p : complex.corners(f)) box.add(p);
+  return box.grown(2 * rule.at(size[f.value]).feature);
+}
+
+struct BoxedFaces {
+  std::vector<FaceId> faces;
+  std::vector<Box> boxes;
+  Box all;
+};
+
+BoxedFaces faces_in(const Complex& complex, std::span<const FaceId> faces, const Box& within,
+                    std::span<const double> size, const SnapRule& rule) {
+  BoxedFaces found;
+  for (const FaceId f : faces) {
+    const Box box = grown_box(complex, f, size, rule);
+    if (!within.overlaps(box)) continue;
+    found.faces.push_back(f), found.boxes.push_back(box), found.all.add(box);
+  }
+  return found;
+}
+
+/// True if one triangle is farther than `gap` on one side of the plane of the other.
+bool is_beside(const Triangle& t, const Triangle& plane, double gap) {
+  const Vec3 n = unit_normal(plane);
+  if (n == Vec3{}) return false;
+  const double a = dot(n, t[0] - plane[0]), b = dot(n, t[1] - plane[0]), c = dot(n, t[2] - plane[0]);
+  return std::min({a, b, c}) > gap || std::max({a, b, c}) < -gap;
+}
+
+}  // namespace
+
+std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<const FaceId> first,
+                                              std::span<const FaceId> second, std::span<const double> size,
+                                              const SnapRule& rule) {
+  Box within;
+  for (const FaceId f : second) within.add(grown_box(complex, f, size, rule));
+  const BoxedFaces a = faces_in(complex, first, within, size, rule);
+  const BoxedFaces b = faces_in(complex, second, a.all, size, rule);
+  const BoxTree tree(b.boxes);
+  std::vector<std::array<FaceId, 2>> pairs;
+  for (std::size_t i = 0; i < a.faces.size(); ++i)
+    tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
+      const FaceId f = a.faces[i], g = b.faces[j];
+      const Triangle t = complex.corners(f), u = complex.corners(g);
+      const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).feature;
+      if (!is_beside(t, u, gap) && !is_beside(u, t, gap)) pairs.push_back({f, g});
+    });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size, const SnapRule& rule,
+                     std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
+                     std::span<const std::uint8_t> is_second, double sharp_angle) {
+  std::array<std::vector<FaceId>, 2> faces;
+  for (const std::size_t s : kSides) {
+    for (const auto& p : pairs) faces[s].push_back(p[s]);
+    std::sort(faces[s].begin(), faces[s].end());
+    faces[s].erase(std::unique(faces[s].begin(), faces[s].end()), faces[s].end());
+  }
+  Meeting m{complex,
+            groups,
+            size,
+            rule,
+            {Side(complex, std::move(faces[0]), is_first, sharp_angle),
+             Side(complex, std::move(faces[1]), is_second, sharp_angle)},
+            {},
+            {},
+            {},
+            {},
+            {},
+            {}};
+  m.pairs.reserve(pairs.size());
+  for (const auto& [f, g] : pairs) m.pairs.push_back({m.side[0].find(f), m.side[1].find(g)});
+  for (const std::size_t s : kSides) m.symbol_of[s].assign(complex.n_vertices(), kNowhere);
+  return m;
+}
+
+}  // namespace meshgraft

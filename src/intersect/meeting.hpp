@@ -1,0 +1,104 @@
+// Two sides that meet: which faces come near each other, and the symbols of where they do.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/quality.hpp"
+#include "intersect/corefine.hpp"
+#include "intersect/side.hpp"
+
+namespace meshgraft {
+
+/// What a symbol lies on, on one side: the vertex, the inside of an edge or the inside of a face.
+struct Carrier {
+  enum Kind : std::uint8_t { kVertex, kEdge, kFace } kind = kVertex;
+  std::uint32_t id = 0;  // VertexId, LocalEdge or LocalFace
+  double t = 0;          // on an edge: from its smaller end (0) to the larger (1)
+};
+
+/// A point that both sides have; what it is comes first, its coordinates are those of the vertex.
+struct Symbol {
+  VertexId vertex;
+  std::array<Carrier, 2> on;  // by side
+};
+
+/// Side 0 is everything joined so far and keeps its vertices, side 1 the component that is added.
+inline constexpr std::array<std::size_t, 2> kSides{0, 1};
+
+/// A face of each side.
+using FacePair = std::array<LocalFace, 2>;
+
+/// Lengths below which two things are one place, for a pair of faces.
+struct Snap {
+  double feature = 0;  // the user's tolerance
+  double weld = 0;     // everything else
+  [[nodiscard]] double of(bool is_feature) const { return is_feature ? feature : weld; }
+};
+
+/// How lengths follow from the sizes of faces.
+class SnapRule {
+ public:
+  SnapRule(const Complex& complex, const CorefineOptions& options, bool features);
+  /// `size`: the smaller of the mean edge lengths of the two input faces.
+  [[nodiscard]] Snap at(double size) const;
+
+ private:
+  CorefineOptions options_;
+  bool features_;
+  double rounding_;
+};
+
+struct Meeting {
+  Complex& complex;
+  GroupSets& groups;
+  std::span<const double> size;  // by face of the complex: mean edge length of its input face
+  SnapRule rule;
+  std::array<Side, 2> side;
+  std::vector<FacePair> pairs;  // ascending
+
+  std::vector<Symbol> symbols;
+  std::array<std::vector<std::uint32_t>, 2> symbol_of;  // by side and vertex; kNowhere if none
+  std::vector<std::array<LocalEdge, 2>> crossed_edges;  // pairs of edges with a symbol, ascending
+  std::vector<std::array<VertexId, 2>> replaced;        // vertex of side 1, of side 0 that it became
+  std::vector<std::pair<VertexId, Vec3>> moved;         // vertex of side 1, where it was
+
+  [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
+  [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
+  [[nodiscard]] Snap snap(const FacePair& p) const {
+    return rule.at(std::min(size[side[0].face(p[0]).value], size[side[1].face(p[1]).value]));
+  }
+  [[nodiscard]] bool has_symbol(std::size_t s, VertexId v) const { return symbol_of[s][v.value] != kNowhere; }
+
+  /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
+  [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const;
+  [[nodiscard]] bool on_face(const Symbol& symbol, std::size_t s, LocalFace f) const;
+
+  std::uint32_t add(const Symbol& symbol);
+  /// A new vertex where edges cross, or an edge and a face.
+  VertexId new_vertex(Vec3 p, const std::array<Carrier, 2>& on);
+  /// Node groups that all corners of a carrier have.
+  [[nodiscard]] GroupSetId groups_on(std::size_t s, const Carrier& on);
+};
+
+/// Pairs of faces of `first` and `second` (ascending) that come nearer than twice their snap length.
+std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<const FaceId> first,
+                                              std::span<const FaceId> second, std::span<const double> size,
+                                              const SnapRule& rule);
+
+/// Meeting of two sets of faces, without symbols yet.
+Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size, const SnapRule& rule,
+                     std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
+                     std::span<const std::uint8_t> is_second, double sharp_angle);
+
+/// Declares vertices that are on the other side, in order of dimension, and moves those of side 1.
+void declare_vertices(Meeting& meeting);
+/// Declares edges that pass each other.
+void declare_edges(Meeting& meeting);
+/// Finds edges that go through faces, by exact signs.
+void find_crossings(Meeting& meeting);
+
+}  // namespace meshgraft

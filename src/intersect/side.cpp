@@ -1,0 +1,107 @@
+#include "intersect/side.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// One side of one face, near or adjacent to a near one.
+struct Use {
+  std::uint64_t edge = 0;  // smaller vertex, larger vertex
+  FaceId face;
+  LocalFace local = kNowhere;  // of a near face
+  std::uint8_t corner = 0;
+  bool forward = true;  // runs from the smaller to the larger vertex
+};
+
+std::uint64_t key(VertexId a, VertexId b) { return std::uint64_t{std::min(a, b).value} << 32 | std::max(a, b).value; }
+
+bool is_sharp(const Complex& complex, const Use& a, const Use& b, double sharp_angle) {
+  const Vec3 n = unit_normal(complex.corners(a.face));
+  const Vec3 m = a.forward == b.forward ? -unit_normal(complex.corners(b.face)) : unit_normal(complex.corners(b.face));
+  return dot(n, m) < std::cos(sharp_angle);
+}
+
+bool is_feature_edge(const Complex& complex, std::span<const Use> uses, double sharp_angle) {
+  const auto frozen = [&](std::uint64_t v) { return complex.state[v & 0xFFFFFFFF] == VertexState::kFrozen; };
+  if (frozen(uses[0].edge >> 32) && frozen(uses[0].edge)) return false;  // its other faces may be missing
+  return uses.size() != 2 || is_sharp(complex, uses[0], uses[1], sharp_angle);
+}
+
+}  // namespace
+
+Side::Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, double sharp_angle)
+    : faces_(std::move(near)), vertex_feature_(complex.n_vertices()) {
+  corners_.reserve(faces_.size());
+  for (const FaceId f : faces_) corners_.push_back(complex.face[f.value]);
+  find_edges(complex, own, sharp_angle);
+  find_faces_at_vertices(complex.n_vertices());
+}
+
+void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own, double sharp_angle) {
+  std::vector<std::uint8_t> marked(complex.n_vertices());
+  for (const auto& corners : corners_)
+    for (const VertexId v : corners) marked[v.value] = 1;
+
+  std::vector<Use> uses;
+  uses.reserve(6 * faces_.size());
+  LocalFace next = 0;
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    if (!own[f]) continue;
+    const LocalFace local = next < faces_.size() && faces_[next].value == f ? next++ : kNowhere;
+    const auto& v = complex.face[f];
+    for (std::uint8_t k = 0; k < 3; ++k) {
+      const VertexId a = v[k], b = v[(k + 1) % 3];
+      if (marked[a.value] && marked[b.value]) uses.push_back({key(a, b), FaceId(f), local, k, a < b});
+    }
+  }
+  std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
+
+  edges_.resize(faces_.size());
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
+    const auto at = std::span(uses).subspan(first, last - first);
+    const bool feature = meshgraft::is_feature_edge(complex, at, sharp_angle);
+    const VertexId low(std::size_t(at[0].edge >> 32)), high(std::size_t(at[0].edge & 0xFFFFFFFF));
+    if (feature) vertex_feature_[low.value] = vertex_feature_[high.value] = 1;
+    if (std::all_of(at.begin(), at.end(), [](const Use& u) { return u.local == kNowhere; })) continue;
+    first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
+    for (const Use& u : at) {
+      if (u.local == kNowhere) continue;
+      edges_[u.local][u.corner] = static_cast<LocalEdge>(ends_.size());
+      at_edge_.push_back(u.local);
+    }
+    ends_.push_back({low, high});
+    edge_feature_.push_back(feature);
+  }
+  first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
+  for (std::size_t v = 0; v < marked.size(); ++v)
+    if (marked[v] && complex.state[v] == VertexState::kPinned) vertex_feature_[v] = 1;
+}
+
+void Side::find_faces_at_vertices(std::size_t n_vertices) {
+  first_at_vertex_.assign(n_vertices + 1, 0);
+  for (const auto& corners : corners_)
+    for (const VertexId v : corners) ++first_at_vertex_[v.value + 1];
+  for (std::size_t v = 0; v < n_vertices; ++v) first_at_vertex_[v + 1] += first_at_vertex_[v];
+  at_vertex_.resize(3 * faces_.size());
+  std::vector<std::uint32_t> next(first_at_vertex_.begin(), first_at_vertex_.end() - 1);
+  for (LocalFace f = 0; f < faces_.size(); ++f)
+    for (const VertexId v : corners_[f]) at_vertex_[next[v.value]++] = f;
+}
+
+LocalFace Side::find(FaceId f) const {
+  const auto at = std::lower_bound(faces_.begin(), faces_.end(), f);
+  return at == faces_.end() || *at != f ? kNowhere : static_cast<LocalFace>(at - faces_.begin());
+}
+
+LocalEdge Side::find(VertexId a, VertexId b) const {
+  const std::array<VertexId, 2> ends{std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(ends_.begin(), ends_.end(), ends);
+  return at == ends_.end() || *at != ends ? kNowhere : static_cast<LocalEdge>(at - ends_.begin());
+}
+
+}  // namespace meshgraft

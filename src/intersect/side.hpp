@@ -1,0 +1,62 @@
+// One of two complexes that are about to be made conforming: its faces near the other, with their
+// edges and with what counts as a feature there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+
+namespace meshgraft {
+
+/// Positions in the lists of one Side.
+using LocalFace = std::uint32_t;
+using LocalEdge = std::uint32_t;
+inline constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
+
+class Side {
+ public:
+  /// `near`: the faces of this side that may meet the other, ascending. `own[f]` tells which faces
+  /// of the complex belong to this side.
+  Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, double sharp_angle);
+
+  [[nodiscard]] std::size_t n_faces() const { return faces_.size(); }
+  [[nodiscard]] std::size_t n_edges() const { return ends_.size(); }
+  [[nodiscard]] FaceId face(LocalFace f) const { return faces_[f]; }
+  [[nodiscard]] const std::array<VertexId, 3>& corners(LocalFace f) const { return corners_[f]; }
+  /// The edge from corner k to the next corner.
+  [[nodiscard]] const std::array<LocalEdge, 3>& edges(LocalFace f) const { return edges_[f]; }
+  /// (smaller, larger) vertex.
+  [[nodiscard]] const std::array<VertexId, 2>& ends(LocalEdge e) const { return ends_[e]; }
+  [[nodiscard]] LocalFace find(FaceId f) const;
+  /// kNowhere if no face near the other side has this edge.
+  [[nodiscard]] LocalEdge find(VertexId a, VertexId b) const;
+
+  [[nodiscard]] std::span<const LocalFace> faces_at(VertexId v) const {
+    return std::span(at_vertex_)
+        .subspan(first_at_vertex_[v.value], first_at_vertex_[v.value + 1] - first_at_vertex_[v.value]);
+  }
+  [[nodiscard]] std::span<const LocalFace> faces_at_edge(LocalEdge e) const {
+    return std::span(at_edge_).subspan(first_at_edge_[e], first_at_edge_[e + 1] - first_at_edge_[e]);
+  }
+
+  /// Free, sharp or non-manifold edges; their ends; pinned vertices.
+  [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
+  [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }
+
+ private:
+  void find_edges(const Complex& complex, std::span<const std::uint8_t> own, double sharp_angle);
+  void find_faces_at_vertices(std::size_t n_vertices);
+
+  std::vector<FaceId> faces_;
+  std::vector<std::array<VertexId, 3>> corners_;
+  std::vector<std::array<LocalEdge, 3>> edges_;
+  std::vector<std::array<VertexId, 2>> ends_;  // ascending
+  std::vector<std::uint32_t> first_at_edge_, first_at_vertex_;
+  std::vector<LocalFace> at_edge_, at_vertex_;
+  std::vector<std::uint8_t> edge_feature_, vertex_feature_;
+};
+
+}  // namespace meshgraft
