@@ -116,7 +116,9 @@ std::optional<Fault> element_record(const LineScanner& lines, std::size_t begin,
   const bool usual = layout != ElementLayout::k71 && has_beam_record(id);
   Attempt first = attempt(lines, line, limit, layout, usual, record);
   record.unusual_beam = false;
-  if (first.score < kFullScore) {
+  // At the end of a file that was cut, what is missing must not be explained away.
+  const bool cut_short = first.score == 0 && first.fault.code == ErrorCode::kTruncated && limit >= lines.text.size();
+  if (first.score < kFullScore && !cut_short) {
     ElementRecord other;
     other.header = record.header;
     const Attempt second = attempt(lines, line, limit, layout, !usual, other);

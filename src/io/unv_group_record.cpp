@@ -23,6 +23,13 @@ bool is_entity_line(const std::vector<std::int64_t>& values, GroupLayout layout)
   return true;
 }
 
+/// No entity has code 0, and most headers have zeros where entities have codes.
+bool has_code_zero(const std::vector<std::int64_t>& values, GroupLayout layout) {
+  for (std::size_t k = 0; k < values.size(); k += layout.entity_size)
+    if (values[k] == 0) return true;
+  return false;
+}
+
 void take(const std::vector<std::int64_t>& values, GroupLayout layout, std::vector<Entity>& entities) {
   for (std::size_t k = 0; k + layout.entity_size <= values.size(); k += layout.entity_size) {
     Entity e{values[k], values[k + 1], 0, 0};
@@ -78,7 +85,12 @@ tl::expected<void, Fault> group_record(const LineScanner& lines, std::size_t beg
     if (line_begin >= limit) break;
     const Line line = lines.at(line_begin, limit);
     const Cut line_cut = parse_integers(lines.view(line), values);
+    if (line_cut != Cut::kNone && values.size() == layout.header_fields && has_code_zero(values, layout)) break;
     if (line_cut == Cut::kNone || values.size() % layout.entity_size != 0) {
+      if (line.next >= lines.text.size()) {  // the file was cut here
+        at = line.next;
+        break;
+      }
       // Too few entities: this is a name, and the line before it was the header of its group.
       if (last_fields == layout.header_fields) record.entities.resize(before_last), at = last_line;
       break;

@@ -1,0 +1,159 @@
+// Delimiters, line ends and datasets (unv.md 6, rules 1 to 4; 9, traps 1 to 9 and 16).
+#include "io/unv_samples.hpp"
+
+namespace meshgraft {
+namespace {
+
+using namespace samples;
+using Labels = std::vector<std::int64_t>;
+
+void expect_mesh(const Model& m) {
+  EXPECT_EQ(m.node_label, (Labels{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(m.element_label, (Labels{1, 2, 3, 4, 5}));
+  ASSERT_EQ(m.groups.size(), 2u);
+  EXPECT_EQ(m.groups[1].name, "ENDS");
+  EXPECT_EQ(nodes_in(m, 1), (Labels{3, 6}));
+  EXPECT_EQ(elements_in(m, 1), (Labels{5}));
+}
+
+TEST(UnvStructure, PlainFile) {
+  const Model m = read(mesh());
+  expect_mesh(m);
+  EXPECT_TRUE(m.warnings.empty());
+  EXPECT_EQ(m.position[0].z, 1.0 / 3.0);
+  EXPECT_EQ(m.shape(ElementId(0u)), Shape::kTriangle);
+  EXPECT_EQ(m.shape(ElementId(4u)), Shape::kLine);
+  EXPECT_EQ(m.attributes_of(ElementId(4u)).physical, 3);
+  EXPECT_EQ(place_of(m, NodeId(1u)).line, 5u);
+}
+
+TEST(UnvStructure, DelimiterPaddedTo80Columns) {
+  expect_mesh(read(replaced(mesh(), "    -1\n", "    -1" + std::string(74, ' ') + "\n")));
+}
+
+TEST(UnvStructure, LoneMinusOneInOtherColumnsIsDataOfUnknownDatasets) {
+  const Model m = read(dataset("3206", line({-1}) + "        -1\n  text\n        -1\n") + mesh());
+  expect_mesh(m);
+  EXPECT_TRUE(m.warnings.empty());
+}
+
+TEST(UnvStructure, NumberThatBeginsLikeADelimiterIsData) {
+  expect_mesh(read(dataset("1101", "    -12345\n    -1 2411\n") + mesh()));
+}
+
+TEST(UnvStructure, TextBetweenDatasetsIsKeptAndWarnedAbout) {
+  const Model m = read(dataset("2411", kNodes) + "written by hand\n\n" + dataset("2412", kElements) + "the end\n" +
+                       dataset("2467", kGroups));
+  expect_mesh(m);
+  EXPECT_TRUE(warns(m, "text-outside"));
+}
+
+TEST(UnvStructure, TextAfterTheDatasetNumber) { expect_mesh(read(replaced(mesh(), "  2411\n", "  2411   %NODES\n"))); }
+
+TEST(UnvStructure, MissingLastDelimiter) {
+  std::string text = mesh();
+  text.resize(text.size() - 7);
+  const Model m = read(text);
+  expect_mesh(m);
+  EXPECT_TRUE(warns(m, "missing-delimiter"));
+  text.pop_back();  // and no line end either
+  expect_mesh(read(text));
+}
+
+TEST(UnvStructure, OneDelimiterBetweenTwoDatasets) {
+  const Model m = read(replaced(mesh(), "    -1\n    -1\n", "    -1\n"));
+  expect_mesh(m);
+  EXPECT_TRUE(warns(m, "missing-delimiter"));
+}
+
+TEST(UnvStructure, MissingFirstDelimiter) {
+  const Model m = read(mesh().substr(7));
+  expect_mesh(m);
+  EXPECT_TRUE(warns(m, "missing-delimiter"));
+}
+
+TEST(UnvStructure, ClosingDelimiterInOtherColumns) {
+  const Model m = read(opening("2411") + kNodes + "   -1\n" + dataset("2412", kElements) + dataset("2467", kGroups));
+  expect_mesh(m);
+  EXPECT_TRUE(warns(m, "misplaced-delimiter"));
+}
+
+TEST(UnvStructure, DelimiterSpelledDifferentlyThroughout) {
+  for (const std::string spelling : {"-1\n", "  -1\n", "\t-1\n"}) {
+    const Model m = read(replaced(mesh(), "    -1\n", spelling));
+    expect_mesh(m);
+    EXPECT_TRUE(warns(m, "learned-delimiter"));
+  }
+}
+
+TEST(UnvStructure, LineEndsOfOtherSystems) {
+  expect_mesh(read(replaced(mesh(), "\n", "\r\n")));
+  expect_mesh(read(replaced(mesh(), "\n", "\r")));
+}
+
+TEST(UnvStructure, ByteOrderMarkControlZAndZeros) {
+  expect_mesh(read("\xEF\xBB\xBF" + mesh() + "\x1A" + std::string(3, '\0')));
+  expect_mesh(read("\n\n" + mesh() + "\n\n"));
+}
+
+TEST(UnvStructure, BinaryDatasetIsSkippedByItsNumberOfBytes) {
+  std::string bytes = std::string("\0\x01\n    -1\n  2411\n", 19) + "\n    -1\n    -1\n  2412\n";
+  const std::string count = std::to_string(bytes.size());
+  std::string header = "    58b     1     2           2" + std::string(12 - count.size(), ' ') + count +
+                       "     0     0           0           0\n";
+  const std::string binary = "    -1\n" + header + "first\nsecond\n" + bytes + "    -1\n";
+  expect_mesh(read(binary + mesh()));
+  expect_mesh(read(mesh() + binary));
+  expect_mesh(read(mesh() + binary + binary));
+  EXPECT_EQ(error_of(mesh() + binary.substr(0, binary.size() - 30)).code, ErrorCode::kTruncated);
+}
+
+TEST(UnvStructure, DatasetsInAnyOrderAndSplit) {
+  const Model m = read(dataset("2467", kGroups) + dataset("2412", kElements) + dataset("2411", kNodes));
+  expect_mesh(m);
+  const std::string first = kNodes.substr(0, 41 + 76), rest = kNodes.substr(41 + 76);
+  expect_mesh(
+      read(dataset("2411", first) + dataset("2412", kElements) + dataset("2411", rest) + dataset("2467", kGroups)));
+}
+
+TEST(UnvStructure, SeveralModelsWithLabelsOfTheirOwnAreReadAsOne) {
+  const std::string header = "           1     0     0\nHULL\n";
+  const std::string far = node(101, "   9.0000000000000000D+00   0.0000000000000000D+00   3.3333333333333331D-01");
+  const Model m = read(dataset("2400", header) + mesh() + dataset("2400", header) + dataset("2411", far));
+  EXPECT_EQ(m.node_label, (Labels{1, 2, 3, 4, 5, 6, 101}));
+}
+
+TEST(UnvStructure, SeveralModelsWithTheSameLabelsAreRefusedAndNamed) {
+  const std::string moved = replaced(kNodes, "3.3333333333333331D-01", "5.0000000000000000D+00");
+  const Error e = error_of(dataset("2400", "           1     0     0\nHULL\n") + mesh() +
+                           dataset("2400", "           2     0     0\nDECK\n") + dataset("2411", moved));
+  EXPECT_EQ(e.code, ErrorCode::kSeveralModels);
+  EXPECT_NE(e.what.find("HULL"), std::string::npos);
+  EXPECT_NE(e.what.find("DECK"), std::string::npos);
+}
+
+TEST(UnvStructure, UnitsAreReadByColumns) {
+  const std::string units =
+      "         5mm (milli newton)            2\n"
+      "   1.0000000000000000D+03   1.0000000000000000D+03   1.0000000000000000D+00\n"
+      "   2.7314999999999998D+02\n";
+  const Model m = read(dataset("164", units) + mesh());
+  ASSERT_TRUE(m.units);
+  EXPECT_EQ(m.units->code, 5);
+  EXPECT_EQ(m.units->length, 1000);
+  EXPECT_EQ(m.units->temperature_offset, 273.15);
+}
+
+TEST(UnvStructure, SystemThatIsNotTheGlobalOneIsWarnedAbout) {
+  const std::string system = line({1}) + "part\n" + line({1, 1, 8}) + "CYLINDER\n" +
+                             "   1.0000000000000000D+00   0.0000000000000000D+00   0.0000000000000000D+00\n"
+                             "   0.0000000000000000D+00   1.0000000000000000D+00   0.0000000000000000D+00\n"
+                             "   0.0000000000000000D+00   0.0000000000000000D+00   1.0000000000000000D+00\n"
+                             "   0.0000000000000000D+00   0.0000000000000000D+00   0.0000000000000000D+00\n";
+  EXPECT_TRUE(warns(read(dataset("2420", system) + mesh()), "coordinate-system"));
+  EXPECT_FALSE(
+      warns(read(dataset("2420", replaced(system, line({1, 1, 8}), line({1, 0, 8}))) + mesh()), "coordinate-system"));
+}
+
+}  // namespace
+}  // namespace meshgraft
