@@ -54,11 +54,17 @@ struct BrepOptions {
 };
 
 /// Curves are: junction edges, free edges, non-manifold edges, sharp edges, edges between faces of
-/// different group set, attributes, component or orientation, edges with 1D elements, fixed edges.
+/// different group set, attributes, component or orientation, edges with 1D elements, fixed edges. An edge that
+/// is fixed, or has a kFrozen end, is a curve of its own.
+///
 /// Corners are: vertices where other than two curve edges meet or where the two differ in what
-/// they bound or carry; sharp turns; kPinned and kFrozen vertices on curves; junction points; vertices with
-/// explicit node groups (a node group that neither covers all faces around the vertex nor both
-/// curve edges at it). kPinned and explicit vertices inside a sheet are corners too.
+/// they bound or carry; sharp turns; kPinned and kFrozen vertices; junction points; ends of fixed edges and of
+/// 1D elements that lie on no face edge; vertices in which surfaces touch without an edge; vertices with
+/// explicit node groups: one that neither all vertices of all faces around have (the group covers an area) nor
+/// both neighbours on the curve (it goes on along a line). Corners may lie inside a sheet.
+///
+/// A turn is measured over a tenth of the edge length of the input faces there, so that the direction of a very
+/// short edge, which is noise, makes no corner, and a small chamfer makes one.
 ///
 /// `junction_edges`, `junction_points`: as in Corefined.
 [[nodiscard]] Brep read_brep(const Complex& complex, std::span<const std::array<VertexId, 2>> junction_edges,

@@ -1,6 +1,8 @@
 #include "zone/own_size.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <limits>
 
 #include "geometry/closest.hpp"
 #include "zone/original_faces.hpp"
@@ -20,6 +22,7 @@ Box box_of(const Triangle& t) {
 
 OwnSize::OwnSize(std::vector<Triangle> triangles, std::vector<std::array<double, 3>> values)
     : triangles_(std::move(triangles)), values_(std::move(values)) {
+  assert(!triangles_.empty());
   double least = std::numeric_limits<double>::infinity(), sum = 0;
   for (const auto& corner : values_)
     for (const double v : corner) least = std::min(least, v), largest_ = std::max(largest_, v), sum += v;

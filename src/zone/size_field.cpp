@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kWorthALimit = 0.9;  // a curve must be finer than this share of the size around it
 constexpr double kBend = 0.7;         // the same for bends; a ruler without bends already rounds to 0.71
+constexpr double kSame = 1 + 1e-9;    // sizes that differ by less are the same mean, summed in another order
 constexpr double kStraight = 0.2;     // radians; a curve that turns less in all has no bends
 
 std::vector<std::vector<SheetId>> sheets_at_curves(const Brep& brep) {
@@ -53,7 +54,7 @@ struct SizeField::Data {
 
   [[nodiscard]] double at(SheetId sheet, Vec3 p) const {
     double size = own[sheet.value].at(p);
-    if (junction.largest() > size) {
+    if (junction.largest() > kSame * size) {
       const auto near = junction.nearest(p, (junction.largest() - size) / options.gradation);
       if (near.found) size = std::max(size, near.size - options.gradation * near.distance);
     }
@@ -107,7 +108,7 @@ class Builder {
     }
     std::vector<SizeLimit> limits = junction();
     data_.junction = SizeLimits(limits, data_.options.gradation);
-    data_.limits = SizeLimits(limits, data_.options.gradation);
+    set(limits);
 
     // Each step knows the limits of the steps before it and asks for what they leave out.
     add(limits, fine_curves());
@@ -119,6 +120,14 @@ class Builder {
   void add(std::vector<SizeLimit>& limits, const std::vector<SizeLimit>& more) {
     if (more.empty()) return;
     limits.insert(limits.end(), more.begin(), more.end());
+    set(limits);
+  }
+
+  /// Limits as large as all sizes limit nothing; without them a search ends at once.
+  void set(std::vector<SizeLimit>& limits) {
+    double largest = 0;
+    for (const OwnSize& own : data_.own) largest = std::max(largest, own.largest());
+    std::erase_if(limits, [&](const SizeLimit& l) { return std::min(l.at_a, l.at_b) * kSame >= largest; });
     data_.limits = SizeLimits(limits, data_.options.gradation);
   }
 

@@ -1,6 +1,7 @@
 // Places that need small faces, and the size they leave elsewhere.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "geometry/box_tree.hpp"
@@ -36,7 +37,7 @@ class SizeLimits {
  private:
   std::vector<SizeLimit> limits_;
   BoxTree tree_;
-  double gradation_ = 1, largest_ = 0;
+  double gradation_ = 1, largest_ = 0, smallest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace meshgraft
