@@ -212,15 +212,18 @@ class RegularReader {
   std::size_t wave_begin_ = 0, parsed_ = 0;
 };
 
-/// How many things are wrong with a dataset when it is read in `layout`; stops at `enough`.
+/// How many things are wrong with a dataset when it is read in `layout`; stops at `enough`. A
+/// layout that is not its own is out of the question if a number of entities does not fit.
 std::size_t oddities(const Document& d, const Dataset& dataset, GroupLayout layout, const Resolver& resolve,
                      std::size_t enough) {
+  const bool own = layout == group_layout_of(dataset.number);
   constexpr std::size_t kBroken = std::numeric_limits<std::size_t>::max();
   std::size_t found = 0;
   GroupRecord record;
   std::size_t at = skip_blank_lines(d.lines, dataset.body, dataset.body_end);
   while (at < dataset.body_end && found < enough) {
     if (!group_record(d.lines, at, dataset.body_end, layout, record)) return kBroken;
+    if (!record.count_is_right() && !own) return kBroken;
     found += (record.count_is_right() ? 0 : 1) + (record.header.size() == layout.header_fields ? 0 : 1);
     for (const Entity& e : record.entities) {
       std::uint32_t position = 0;
