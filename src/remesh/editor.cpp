@@ -253,12 +253,12 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
   return id;
 }
 
-std::optional<VertexId> Editor::insert(FaceId f, const Foot& at) {
+std::optional<VertexId> Editor::insert(FaceId f, const Foot& at, double size) {
   const LocalFace old = mesh_.face(f);
   const Mark start = mark();
   LocalVertex v;
   v.position = at.point, v.dimension = Dimension::kSheet, v.fixed = false;
-  v.sheet = old.sheet, v.beneath = at.face;
+  v.sheet = old.sheet, v.beneath = at.face, v.size = size, v.sized_at = at.point;
   const VertexId id = mesh_.add_vertex(v);
   const Vec3 normal = area_vector(mesh_.corners(f));
   mesh_.remove_face(f);

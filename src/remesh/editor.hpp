@@ -37,8 +37,8 @@ class Editor {
   bool flip_gains(VertexId a, VertexId b);
   /// Removes a vertex of a sheet or of a curve and fills its star anew, as well as possible.
   bool remove(VertexId v);
-  /// Puts a vertex into a face, at a point of its sheet.
-  std::optional<VertexId> insert(FaceId f, const Foot& at);
+  /// Puts a vertex into a face, at a point of its sheet where `size` is wanted (0: to be asked).
+  std::optional<VertexId> insert(FaceId f, const Foot& at, double size = 0);
   /// Wanted edge length at a point of a sheet.
   [[nodiscard]] double size(SheetId sheet, Vec3 p) const { return sizing_.in_sheet(sheet, p); }
   /// Puts a vertex in the middle of an edge (of the piece of its curve, if it lies on one).

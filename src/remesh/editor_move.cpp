@@ -9,16 +9,22 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kFirstStep = 0.2;       // of the wanted edge length
-constexpr double kLastStep = 0.02;       // of the wanted edge length
-constexpr int kMostTrials = 40;          // places looked at in one search
-constexpr double kLeastGain = 1e-3;      // share by which a move must lower its goal
+constexpr double kFirstStep = 0.15;      // of the wanted edge length
+constexpr double kLastStep = 0.04;       // of the wanted edge length
+constexpr int kMostTrials = 16;          // places looked at in one search
+constexpr double kLeastGain = 1e-2;      // share by which a move must lower its goal
 constexpr double kSagittaSlack = 1.25;   // by which a chord may exceed the ruler's sagitta
+constexpr double kSameSize = 0.2;        // of the size: a vertex moved less is still wanted the same size
 constexpr double kClosestOnCurve = 0.2;  // to a neighbour, share of the room between both
 
 }  // namespace
 
-bool Editor::relax(VertexId v) { return search(v, &Editor::cost_with); }
+bool Editor::relax(VertexId v) {
+  if (!mesh_.stirred(v)) return false;
+  const bool moved = search(v, &Editor::cost_with);
+  if (!moved) mesh_.calm(v);
+  return moved;
+}
 bool Editor::sharpen(VertexId v) { return search(v, &Editor::flatness_with); }
 
 bool Editor::search(VertexId v, Goal goal) {
@@ -109,7 +115,7 @@ bool Editor::place(VertexId v, const LocalVertex& to) {
   const double allowed = slack(mesh_.star(v));
   const Mark start = mark();
   LocalVertex placed = to;
-  placed.size = 0;
+  if (distance(placed.position, placed.sized_at) > kSameSize * placed.size) placed.size = 0;
   mesh_.set_vertex(v, placed);
   for (const FaceId f : mesh_.star(v))
     if (!lies_on_reference(mesh_.face(f), allowed)) {

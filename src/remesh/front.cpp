@@ -72,7 +72,7 @@ class Front {
     }
   }
 
-  [[nodiscard]] double wanted(const LocalFace& f) const {
+  [[nodiscard]] double mean_size(const LocalFace& f) const {
     return (editor_.size(f.v[0]) + editor_.size(f.v[1]) + editor_.size(f.v[2])) / 3;
   }
 
@@ -80,7 +80,7 @@ class Front {
     const Triangle t = mesh().corners(f);
     const double a = distance(t[0], t[1]), b = distance(t[1], t[2]), c = distance(t[2], t[0]);
     const double radius = a * b * c / (4 * area(t));
-    return radius * std::sqrt(3.0) <= kAccepted * wanted(mesh().face(f));
+    return radius * std::sqrt(3.0) <= kAccepted * mean_size(mesh().face(f));
   }
 
   /// The face with the edge in the direction from a to b, if it is in the zone.
@@ -100,14 +100,14 @@ class Front {
     const double edge = distance(p, q);
     const Vec3 inwards = normalized(cross(area_vector(mesh().corners(base)), q - p));
     const double guess = 0.5 * std::sqrt(3.0) * edge;
-    const double size =
-        std::clamp(editor_.size(face.sheet, middle + guess * inwards), kLeastApex * edge, kMostApex * edge);
+    const double wanted = editor_.size(face.sheet, middle + guess * inwards);
+    const double size = std::clamp(wanted, kLeastApex * edge, kMostApex * edge);
     const double height = std::sqrt(std::max(size * size - 0.25 * edge * edge, 0.0));
     Foot apex{middle + height * inwards, FaceId{}, 0};
     if (!mesh().sheet(face.sheet).planar) apex = editor_.reference().project(face.sheet, apex.point, FaceId{});
     const FaceId at = locate(base, apex.point);
     if (!at.valid() || crowded(at, apex.point, size)) return;
-    const auto v = editor_.insert(at, apex);
+    const auto v = editor_.insert(at, apex, wanted);
     if (!v) return;
     const std::vector<FaceId> star(mesh().star(*v).begin(), mesh().star(*v).end());
     for (const FaceId f : star) {

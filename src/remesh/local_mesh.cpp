@@ -10,6 +10,7 @@ LocalMesh::LocalMesh(const Complex& complex, const Brep& brep, const std::vector
     : brep_(brep), n_original_vertices_(complex.n_vertices()), n_original_faces_(complex.n_faces()) {
   vertices_.resize(complex.n_vertices());
   star_.resize(complex.n_vertices());
+  stirred_.assign(complex.n_vertices(), 1);
   faces_.resize(complex.n_faces());
   for (std::size_t v = 0; v < complex.n_vertices(); ++v) {
     vertices_[v].position = complex.position[v];
@@ -122,8 +123,13 @@ std::vector<Fan> LocalMesh::fans(VertexId v) const {
   return result;
 }
 
+void LocalMesh::stir(FaceId f) {
+  for (const VertexId v : faces_[f.value].v) stirred_[v.value] = 1;
+}
+
 void LocalMesh::link(FaceId f) {
   for (const VertexId v : faces_[f.value].v) star_[v.value].push_back(f);
+  stir(f);
 }
 
 void LocalMesh::unlink(FaceId f) {
@@ -138,6 +144,7 @@ VertexId LocalMesh::add_vertex(const LocalVertex& v) {
   const VertexId id(vertices_.size());
   vertices_.push_back(v);
   star_.emplace_back();
+  stirred_.push_back(1);
   history_.push_back({Step::kAddVertex, id.value});
   return id;
 }
@@ -162,7 +169,7 @@ void LocalMesh::set_vertex(VertexId v, const LocalVertex& to) {
   old_places_.push_back(vertices_[v.value]);
   vertices_[v.value] = to;
   vertices_[v.value].moved = true;
-  for (const FaceId f : star_[v.value]) faces_[f.value].q = quality(faces_[f.value]);
+  for (const FaceId f : star_[v.value]) faces_[f.value].q = quality(faces_[f.value]), stir(f);
 }
 
 void LocalMesh::undo(Mark to) {
@@ -173,6 +180,7 @@ void LocalMesh::undo(Mark to) {
       case Step::kAddVertex:
         vertices_.pop_back();
         star_.pop_back();
+        stirred_.pop_back();
         break;
       case Step::kAddFace:
         unlink(FaceId(std::size_t{change.id}));
@@ -186,7 +194,7 @@ void LocalMesh::undo(Mark to) {
       case Step::kSetVertex:
         vertices_[change.id] = old_places_.back();
         old_places_.pop_back();
-        for (const FaceId f : star_[change.id]) faces_[f.value].q = quality(faces_[f.value]);
+        for (const FaceId f : star_[change.id]) faces_[f.value].q = quality(faces_[f.value]), stir(f);
         break;
     }
   }
@@ -208,10 +216,10 @@ double LocalMesh::quality(const LocalFace& f) const {
 
 double LocalMesh::quality(const LocalFace& f, VertexId v, Vec3 p) const {
   Triangle t{position(f.v[0]), position(f.v[1]), position(f.v[2])};
-  const Triangle old = t;
-  t[f.corner_of(v)] = p;
   const Sheet& s = brep_.sheets[f.sheet.value];
-  return signed_aspect_ratio(t, s.planar ? s.normal : area_vector(old));
+  const Vec3 normal = s.planar ? s.normal : area_vector(t);
+  t[f.corner_of(v)] = p;
+  return signed_aspect_ratio(t, normal);
 }
 
 }  // namespace meshgraft

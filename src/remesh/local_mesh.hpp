@@ -22,7 +22,8 @@ struct LocalVertex {
   double arc = 0;      // dimension kCurve: arc length on the curve of the complex
   SheetId sheet;       // dimension kSheet
   FaceId beneath;      // dimension kSheet: a face of the complex at or near it
-  double size = 0;     // wanted edge length here; 0 = not asked yet
+  double size = 0;     // wanted edge length at sized_at; 0 = not asked yet
+  Vec3 sized_at;       // here, or so near that asking again is not worth it
 };
 
 /// Faces 0..m-1 are those of the complex, later ones are new.
@@ -86,7 +87,11 @@ class LocalMesh {
   FaceId add_face(const LocalFace& f);  // q is computed
   void remove_face(FaceId f);
   void set_vertex(VertexId v, const LocalVertex& to);  // new place; q of its faces follows
-  void set_size(VertexId v, double size) { vertices_[v.value].size = size; }
+  void set_size(VertexId v, double size) { vertices_[v.value].size = size, vertices_[v.value].sized_at = position(v); }
+
+  /// Whether a face on the vertex has changed since it was last called calm.
+  [[nodiscard]] bool stirred(VertexId v) const { return stirred_[v.value] != 0; }
+  void calm(VertexId v) { stirred_[v.value] = 0; }
 
   using Mark = std::size_t;
   [[nodiscard]] Mark mark() const { return history_.size(); }
@@ -107,6 +112,7 @@ class LocalMesh {
     Step step;
     std::uint32_t id;
   };
+  void stir(FaceId f);
   void link(FaceId f);
   void unlink(FaceId f);
 
@@ -114,6 +120,7 @@ class LocalMesh {
   std::vector<LocalVertex> vertices_;
   std::vector<LocalFace> faces_;
   std::vector<std::vector<FaceId>> star_;
+  std::vector<std::uint8_t> stirred_;  // by vertex
   std::size_t n_original_vertices_ = 0, n_original_faces_ = 0;
   std::vector<Change> history_;
   std::vector<LocalVertex> old_places_;  // one per kSetVertex of the history
