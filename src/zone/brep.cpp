@@ -14,33 +14,49 @@ namespace {
 constexpr double kTurnReach = 0.1;    // share of the edge length of the parents over which a turn is measured
 constexpr double kPlaneShare = 1e-9;  // of the size of a sheet: what rounding leaves of a plane
 
-/// Number of fans (faces joined over edges that are no curve) at a vertex.
-std::size_t n_fans(VertexId v, std::span<const FaceId> faces, const Complex& complex, const EdgeTable& edges,
-                   const CurveEdges& curves) {
-  std::vector<std::uint8_t> seen(faces.size(), 0);
-  std::vector<std::size_t> stack;
-  std::size_t fans = 0;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (seen[i]) continue;
-    ++fans;
-    seen[i] = 1;
-    stack.push_back(i);
-    while (!stack.empty()) {
-      const FaceId f = faces[stack.back()];
-      stack.pop_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const EdgeId e = edges.of(f, k);
-        const auto& corner = complex.face[f.value];
-        if ((corner[k] != v && corner[(k + 1) % 3] != v) || curves.is_curve(e)) continue;
-        for (const EdgeUse& use : edges.uses(e)) {
-          const auto j = static_cast<std::size_t>(std::ranges::lower_bound(faces, use.face) - faces.begin());
-          if (!seen[j]) seen[j] = 1, stack.push_back(j);
-        }
+/// Counts the fans (faces joined over edges that are no curve) at a vertex.
+class Fans {
+ public:
+  Fans(const Complex& complex, const EdgeTable& edges, const CurveEdges& curves)
+      : complex_(complex), edges_(edges), curves_(curves) {}
+
+  /// `faces`: all at v, ascending.
+  std::size_t count(VertexId v, std::span<const FaceId> faces) {
+    seen_.assign(faces.size(), 0);
+    std::size_t fans = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      if (seen_[i]) continue;
+      ++fans;
+      seen_[i] = 1;
+      stack_.assign(1, i);
+      while (!stack_.empty()) {
+        const FaceId f = faces[stack_.back()];
+        stack_.pop_back();
+        spread(v, f, faces);
+      }
+    }
+    return fans;
+  }
+
+ private:
+  void spread(VertexId v, FaceId f, std::span<const FaceId> faces) {
+    const auto& corner = complex_.face[f.value];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const EdgeId e = edges_.of(f, k);
+      if ((corner[k] != v && corner[(k + 1) % 3] != v) || curves_.is_curve(e)) continue;
+      for (const EdgeUse& use : edges_.uses(e)) {
+        const auto j = static_cast<std::size_t>(std::ranges::lower_bound(faces, use.face) - faces.begin());
+        if (!seen_[j]) seen_[j] = 1, stack_.push_back(j);
       }
     }
   }
-  return fans;
-}
+
+  const Complex& complex_;
+  const EdgeTable& edges_;
+  const CurveEdges& curves_;
+  std::vector<std::uint8_t> seen_;  // by position in `faces`
+  std::vector<std::size_t> stack_;
+};
 
 class Reader {
  public:
@@ -54,6 +70,7 @@ class Reader {
         parents_(complex),
         curves_(curve_edges(complex, edges_, parents_, junction_edges, options)),
         degree_(edges_, curves_, complex.n_vertices()),
+        fans_(complex, edges_, curves_),
         corner_(complex.n_vertices(), 0) {
     for (const VertexId v : junction_points) corner_[v.value] = 1;
   }
@@ -90,7 +107,7 @@ class Reader {
     if (degree != 0 && !degree_.passes(v, curves_)) return true;
     // A curve that passes has one fan on each of its sides; more is a point where surfaces touch.
     const std::size_t sides = degree == 0 ? 1 : edges_.uses(degree_.around[v.value][0]).size();
-    return n_fans(v, faces, complex_, edges_, curves_) != sides || is_explicit(v);
+    return fans_.count(v, faces) != sides || is_explicit(v);
   }
 
   /// Whether a node group names this vertex for its own sake (see read_brep).
@@ -196,6 +213,7 @@ class Reader {
   Parents parents_;
   CurveEdges curves_;
   CurveDegree degree_;
+  Fans fans_;
   std::vector<std::uint8_t> corner_;  // by vertex
 };
 

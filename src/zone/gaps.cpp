@@ -72,8 +72,9 @@ class Arcs {
 class SheetGaps {
  public:
   SheetGaps(const std::vector<Side>& sides, const Arcs& arcs, const SizeOptions& options,
-            const std::function<double(Vec3)>& size, std::vector<SizeLimit>& result)
-      : sides_(sides), arcs_(arcs), options_(options), size_(size), result_(result) {
+            const std::function<double(Vec3)>& size, const std::function<double(Vec3)>& plain,
+            std::vector<SizeLimit>& result)
+      : sides_(sides), arcs_(arcs), options_(options), size_(size), plain_(plain), result_(result) {
     std::vector<Box> boxes;
     for (const Side& side : sides) {
       Box& box = boxes.emplace_back();
@@ -118,7 +119,7 @@ class SheetGaps {
                               : std::numeric_limits<double>::infinity();
       if (d >= cone * along) return;
       const bool corner = along < std::numeric_limits<double>::infinity() && side.curve != other.curve;
-      const double floor = (corner ? options_.cone_floor : options_.gap_floor) * around;
+      const double floor = (corner ? options_.cone_floor : options_.gap_floor) * plain_(x);
       allowed = std::min(allowed, std::max(floor, options_.gap_share * d));
     });
     return allowed;
@@ -128,6 +129,7 @@ class SheetGaps {
   const Arcs& arcs_;
   const SizeOptions& options_;
   const std::function<double(Vec3)>& size_;
+  const std::function<double(Vec3)>& plain_;
   std::vector<SizeLimit>& result_;
   BoxTree tree_;
 };
@@ -162,7 +164,8 @@ std::vector<Side> sides_of(const Sheet& sheet, const Complex& complex, const Bre
 }  // namespace
 
 std::vector<SizeLimit> narrow_places(const Complex& complex, const Brep& brep, const SizeOptions& options,
-                                     const std::function<double(SheetId, Vec3)>& size) {
+                                     const std::function<double(SheetId, Vec3)>& size,
+                                     const std::function<double(SheetId, Vec3)>& plain) {
   const Arcs arcs(complex, brep);
   const Parents parents(complex);
   const std::vector<Vec3> area_vector = area_vectors(parents, complex);
@@ -173,7 +176,8 @@ std::vector<SizeLimit> narrow_places(const Complex& complex, const Brep& brep, c
   for (std::size_t s = 0; s < brep.sheets.size(); ++s) {
     const std::vector<Side> sides = sides_of(brep.sheets[s], complex, brep, arcs, parents, area_vector, on_curve);
     const std::function<double(Vec3)> here = [&](Vec3 p) { return size(SheetId(s), p); };
-    SheetGaps gaps(sides, arcs, options, here, result);
+    const std::function<double(Vec3)> plain_here = [&](Vec3 p) { return plain(SheetId(s), p); };
+    SheetGaps gaps(sides, arcs, options, here, plain_here, result);
     for (const Side& side : sides) gaps.look_from(side);
   }
   return result;

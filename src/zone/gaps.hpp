@@ -17,8 +17,10 @@ namespace meshgraft {
 /// than the size at x, and much shorter than the way along the curves: that separates a strip from the
 /// place where the two curves meet.
 ///
-///   size   the size without the limits asked for here
+///   size    the size with the limits found so far: what a gap is measured by
+///   plain   the size without any: what the floors are shares of, so that limits do not compound
 [[nodiscard]] std::vector<SizeLimit> narrow_places(const Complex& complex, const Brep& brep, const SizeOptions& options,
-                                                   const std::function<double(SheetId, Vec3)>& size);
+                                                   const std::function<double(SheetId, Vec3)>& size,
+                                                   const std::function<double(SheetId, Vec3)>& plain);
 
 }  // namespace meshgraft

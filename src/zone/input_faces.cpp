@@ -14,6 +14,10 @@ InputFaces::InputFaces(const Corefined& corefined)
       faces_at_(complex_),
       touched_(parents_.size(), 0),
       frozen_(parents_.size(), 0) {
+  mean_edge_length_.reserve(size());
+  for (std::uint32_t i = 0; i < size(); ++i)
+    mean_edge_length_.push_back(pieces(i).size() == 1 ? meshgraft::mean_edge_length(complex_.corners(pieces(i).front()))
+                                                      : contour_length(i) / 3);
   for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
     const std::uint32_t i = parents_.of_face[f];
     if (corefined.touched[f]) touched_[i] = 1;
@@ -22,9 +26,8 @@ InputFaces::InputFaces(const Corefined& corefined)
   }
 }
 
-double InputFaces::mean_edge_length(std::uint32_t i) const {
-  if (pieces(i).size() == 1) return meshgraft::mean_edge_length(complex_.corners(pieces(i).front()));
-  // The contour of the pieces: edges that only one of them has.
+double InputFaces::contour_length(std::uint32_t i) const {
+  // Edges that only one of the pieces has.
   std::vector<std::array<VertexId, 2>> edges;
   for (const FaceId f : pieces(i))
     for (std::size_t k = 0; k < 3; ++k) {
@@ -37,7 +40,7 @@ double InputFaces::mean_edge_length(std::uint32_t i) const {
     const bool alone = (k == 0 || edges[k - 1] != edges[k]) && (k + 1 == edges.size() || edges[k + 1] != edges[k]);
     if (alone) perimeter += distance(complex_.position[edges[k][0].value], complex_.position[edges[k][1].value]);
   }
-  return perimeter / 3;
+  return perimeter;
 }
 
 Vec3 InputFaces::centre(std::uint32_t i) const {

@@ -24,7 +24,7 @@ class InputFaces {
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
   /// A vertex of it is kFrozen.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
-  [[nodiscard]] double mean_edge_length(std::uint32_t i) const;
+  [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
 
   /// Calls f(j) for every j of the same component with a vertex of i, with repeats.
@@ -40,10 +40,13 @@ class InputFaces {
   [[nodiscard]] std::vector<int> rings(int last) const;
 
  private:
+  [[nodiscard]] double contour_length(std::uint32_t i) const;
+
   const Complex& complex_;
   Parents parents_;
   VertexFaces faces_at_;
   std::vector<std::uint8_t> touched_, frozen_;
+  std::vector<double> mean_edge_length_;
 };
 
 }  // namespace meshgraft

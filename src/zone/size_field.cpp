@@ -52,19 +52,29 @@ struct SizeField::Data {
   SizeLimits junction;                                 // l_a
   SizeLimits limits;                                   // l_a too
 
-  [[nodiscard]] double at(SheetId sheet, Vec3 p) const {
-    double size = own[sheet.value].at(p);
-    if (junction.largest() > kSame * size) {
-      const auto near = junction.nearest(p, (junction.largest() - size) / options.gradation);
-      if (near.found) size = std::max(size, near.size - options.gradation * near.distance);
-    }
-    return limits.least(p, size);
-  }
+  [[nodiscard]] double at(SheetId sheet, Vec3 p) const { return limits.least(p, from_below(sheet, p)); }
 
+  /// Without the limits of narrow places and fine curves.
+  [[nodiscard]] double plain(SheetId sheet, Vec3 p) const { return junction.least(p, from_below(sheet, p)); }
+
+  /// Of the sheet that asks for the least.
   [[nodiscard]] double on_curve(CurveId curve, Vec3 p) const {
     double size = std::numeric_limits<double>::infinity();
     for (const SheetId s : sheets[curve.value]) size = std::min(size, at(s, p));
     return size;
+  }
+  [[nodiscard]] double plain_on_curve(CurveId curve, Vec3 p) const {
+    double size = std::numeric_limits<double>::infinity();
+    for (const SheetId s : sheets[curve.value]) size = std::min(size, plain(s, p));
+    return size;
+  }
+
+  /// The own size, but at least what l_a leaves there.
+  [[nodiscard]] double from_below(SheetId sheet, Vec3 p) const {
+    const double size = own[sheet.value].at(p);
+    if (junction.largest() <= kSame * size) return size;
+    const auto near = junction.nearest(p, (junction.largest() - size) / options.gradation);
+    return near.found ? std::max(size, near.size - options.gradation * near.distance) : size;
   }
 
   /// l_a: see the class comment.
@@ -112,7 +122,9 @@ class Builder {
 
     // Each step knows the limits of the steps before it and asks for what they leave out.
     add(limits, fine_curves());
-    add(limits, narrow_places(complex_, brep_, data_.options, [&](SheetId s, Vec3 p) { return data_.at(s, p); }));
+    const auto at = [&](SheetId s, Vec3 p) { return data_.at(s, p); };
+    const auto plain = [&](SheetId s, Vec3 p) { return data_.plain(s, p); };
+    add(limits, narrow_places(complex_, brep_, data_.options, at, plain));
     add(limits, bends());
   }
 
@@ -184,7 +196,8 @@ class Builder {
         const Vec3 a = point_at(p, arc, nodes[i - 1]), b = point_at(p, arc, nodes[i]);
         const double piece = nodes[i] - nodes[i - 1], around = size(0, midpoint(a, b));
         if (piece >= kBend * around) continue;
-        const double allowed = std::max(piece, data_.options.gap_floor * around);
+        const double allowed =
+            std::max(piece, data_.options.gap_floor * data_.plain_on_curve(CurveId(c), midpoint(a, b)));
         result.push_back({a, b, allowed, allowed});
       }
     }
