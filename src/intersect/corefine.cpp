@@ -13,6 +13,7 @@ namespace {
 /// Bending side 1 to side 0 by up to the tolerance can make it meet side 0 anew. Later rounds look
 /// at what is there then, without tolerance, until nothing new is found.
 constexpr int kMaxRounds = 6;
+constexpr int kMaxAttempts = 16;  // faces at which gaps are given up, per component
 
 class Corefiner {
  public:
@@ -30,32 +31,77 @@ class Corefiner {
     components.erase(std::unique(components.begin(), components.end()), components.end());
     for (std::size_t i = 1; i < components.size(); ++i)
       if (auto fault = join(components[i])) return tl::unexpected(std::move(*fault));
-    if (auto fault = find_doubled_face(complex_, marks_.touched)) return tl::unexpected(std::move(*fault));
     return result();
   }
 
  private:
-  /// Joins one component to all earlier ones.
+  /// Joins one component to all earlier ones. Where details smaller than the tolerance make a face
+  /// impossible to cut along what was declared on it, the gaps at that face are left as they are,
+  /// and then those at the faces around it.
   std::optional<JunctionFault> join(std::uint32_t component) {
-    std::fill(marks_.active.begin(), marks_.active.end(), 1);
-    for (int round = 0; round < kMaxRounds; ++round) {
-      const SnapRule rule(complex_, options_, round == 0);
-      const std::array<std::vector<FaceId>, 2> faces = active_faces(component);
-      const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
-      if (pairs.empty()) return std::nullopt;
-      std::array<std::vector<std::uint8_t>, 2> own = owners(component);
-      Meeting m = make_meeting(complex_, groups_, marks_.size, rule, pairs, own[0], own[1], options_.sharp_angle);
-      declare_vertices(m);
-      declare_edges(m);
-      find_crossings(m);
-      if (round > 0 && !has_news(m)) return std::nullopt;
-      remember_moves(m);
-      const auto imprint = link_symbols(m, options_);
-      if (!imprint) return imprint.error();
-      if (auto fault = find_flat_face(m, *imprint)) return fault;
-      if (auto fault = apply(m, *imprint, marks_)) return fault;
+    const Complex complex = complex_;
+    const FaceMarks marks = marks_;
+    std::vector<std::uint8_t> exact(complex.n_faces());
+    for (int attempt = 0;; ++attempt) {
+      std::fill(marks_.active.begin(), marks_.active.end(), 1);
+      const auto failed = meet(component, 0, exact);
+      if (!failed) return later_rounds(component);
+      if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(complex, failed->face, exact))
+        return failed->fault;
+      complex_ = complex, marks_ = marks;
+      moved_from_ = moved_before_, replaced_.resize(n_replaced_before_);
     }
+  }
+
+  std::optional<JunctionFault> later_rounds(std::uint32_t component) {
+    for (int round = 1; !settled_ && round < kMaxRounds; ++round) {
+      const std::vector<std::uint8_t> exact(complex_.n_faces());
+      if (auto failed = meet(component, round, exact)) return failed->fault;
+    }
+    moved_before_ = moved_from_, n_replaced_before_ = replaced_.size();
+    if (settled_) return std::nullopt;
     return JunctionFault{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}};
+  }
+
+  /// One round. Sets settled_ if the sides do not meet anywhere anew.
+  std::optional<ImprintFault> meet(std::uint32_t component, int round, std::span<const std::uint8_t> exact) {
+    const SnapRule rule(complex_, options_, round == 0);
+    const std::array<std::vector<FaceId>, 2> faces = active_faces(component);
+    const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
+    settled_ = pairs.empty();
+    if (settled_) return std::nullopt;
+    const std::array<std::vector<std::uint8_t>, 2> own = owners(component);
+    Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
+    declare_vertices(m);
+    declare_edges(m);
+    find_crossings(m);
+    settled_ = round > 0 && !has_news(m);
+    if (settled_) return std::nullopt;
+    remember_moves(m);
+    const auto imprint = link_symbols(m, options_);
+    if (!imprint) return ImprintFault{imprint.error(), {}};
+    if (auto fault = find_flat_face(m, *imprint)) return fault;
+    if (auto fault = apply(m, *imprint, marks_)) return fault;
+    if (auto doubled = find_doubled_face(complex_, marks_.active))
+      return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
+    return std::nullopt;
+  }
+
+  /// Marks a face, or if it is marked already the unmarked ones that share a vertex with it. False
+  /// if there are none.
+  static bool make_exact(const Complex& complex, FaceId face, std::vector<std::uint8_t>& exact) {
+    if (!exact[face.value]) {
+      exact[face.value] = 1;
+      return true;
+    }
+    bool any = false;
+    const auto& v = complex.face[face.value];
+    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+      const auto& w = complex.face[f];
+      if (exact[f] || std::find_first_of(w.begin(), w.end(), v.begin(), v.end()) == w.end()) continue;
+      exact[f] = 1, any = true;
+    }
+    return any;
   }
 
   [[nodiscard]] std::array<std::vector<FaceId>, 2> active_faces(std::uint32_t component) const {
@@ -88,8 +134,8 @@ class Corefiner {
   }
 
   /// A face without area cannot be cut; such faces of the input are named before it is tried.
-  [[nodiscard]] std::optional<JunctionFault> find_flat_face(const Meeting& m,
-                                                            const std::array<Imprint, 2>& imprint) const {
+  [[nodiscard]] std::optional<ImprintFault> find_flat_face(const Meeting& m,
+                                                           const std::array<Imprint, 2>& imprint) const {
     for (const std::size_t s : kSides)
       for (LocalFace f = 0; f < m.side[s].n_faces(); ++f) {
         const FaceId id = m.side[s].face(f);
@@ -97,10 +143,11 @@ class Corefiner {
         const Triangle t = m.triangle(s, f);
         const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
         if (2 * area(t) <= longest * m.rule.at(marks_.size[id.value]).weld)
-          return JunctionFault{ErrorCode::kDegenerateFace,
+          return ImprintFault{{ErrorCode::kDegenerateFace,
                                "a face without area meets another mesh",
                                {complex_.parent[id.value]},
-                               centroid(t)};
+                               centroid(t)},
+                              id};
       }
     return std::nullopt;
   }
@@ -125,6 +172,9 @@ class Corefiner {
   FaceMarks marks_;
   std::map<VertexId, Vec3> moved_from_;
   std::vector<Corefined::Replaced> replaced_;
+  std::map<VertexId, Vec3> moved_before_;  // up to the last component joined
+  std::size_t n_replaced_before_ = 0;
+  bool settled_ = false;
 };
 
 }  // namespace

@@ -16,19 +16,6 @@ struct Crossing {
   Vec3 point;
 };
 
-/// A straight edge meets a plane once: where a symbol says that they meet there is no second place.
-bool share_symbol(const Meeting& m, std::size_t s, LocalEdge e, LocalFace f) {
-  for (const VertexId v : m.side[s].ends(e))
-    if (m.has_symbol(s, v) && m.on_face(m.symbols[m.symbol_of[s][v.value]], 1 - s, f)) return true;
-  for (const VertexId v : m.side[1 - s].corners(f))
-    if (m.has_symbol(1 - s, v) && m.on_edge(m.symbols[m.symbol_of[1 - s][v.value]], s, e)) return true;
-  for (const LocalEdge of_face : m.side[1 - s].edges(f)) {
-    const std::array<LocalEdge, 2> both = s == 0 ? std::array{e, of_face} : std::array{of_face, e};
-    if (std::binary_search(m.crossed_edges.begin(), m.crossed_edges.end(), both)) return true;
-  }
-  return false;
-}
-
 /// True if the line from p to q, which crosses the plane of t, does so strictly inside t.
 bool passes_inside(Vec3 p, Vec3 q, const Triangle& t) {
   const int a = orientation_sign(p, q, t[0], t[1]);
@@ -52,7 +39,8 @@ void find_in_pair(const Meeting& m, const FacePair& pair, std::size_t s, std::ve
     if (sign[k] * sign[(k + 1) % 3] >= 0) continue;
     const LocalEdge e = m.side[s].edges(pair[s])[k];
     const auto& [low, high] = m.side[s].ends(e);
-    if (!passes_inside(m.at(low), m.at(high), plane) || share_symbol(m, s, e, pair[1 - s])) continue;
+    // A straight edge meets a plane once: where a symbol says that they meet there is no second place.
+    if (!passes_inside(m.at(low), m.at(high), plane) || m.meet(s, e, pair[1 - s])) continue;
     const double t = plane_parameter(m.at(low), m.at(high), plane);
     found.push_back({e, pair[1 - s], t, lerp(m.at(low), m.at(high), t)});
   }

@@ -1,6 +1,7 @@
 // Incidences within the snap length, decided in order of dimension. What is declared here is never
 // asked of coordinates again.
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "geometry/closest.hpp"
@@ -10,6 +11,16 @@ namespace meshgraft {
 namespace {
 
 Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
+
+/// True if boxes grown by a gap show that two segments (or points) are farther apart than it. Most
+/// are, and this is much cheaper than their distance.
+bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::min(a[axis], b[axis]) > std::max(c[axis], d[axis]) + gap ||
+        std::min(c[axis], d[axis]) > std::max(a[axis], b[axis]) + gap)
+      return true;
+  return false;
+}
 
 /// Vertices that both sides have already (from an earlier round).
 void declare_shared(Meeting& m) {
@@ -73,15 +84,19 @@ struct Landing {
   std::uint32_t on = 0;  // LocalEdge or LocalFace of the other side
   double t = 0;          // on an edge
   Vec3 point;
+  bool is_gap = false;  // farther away than the weld length
 };
 
-/// The nearest landing of each vertex, ties by id; `found` in any order.
+/// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order.
 std::vector<Landing> nearest_of_each(std::vector<Landing> found) {
   std::sort(found.begin(), found.end(), [](const Landing& a, const Landing& b) {
     return std::tie(a.vertex, a.distance, a.on) < std::tie(b.vertex, b.distance, b.on);
   });
   const auto same = [](const Landing& a, const Landing& b) { return a.vertex == b.vertex; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  std::sort(found.begin(), found.end(), [](const Landing& a, const Landing& b) {
+    return std::tie(a.distance, a.vertex) < std::tie(b.distance, b.vertex);
+  });
   return found;
 }
 
@@ -99,10 +114,11 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
       if (!is_undecided(m, s, v)) continue;
       for (const LocalEdge e : other.edges(p[1 - s])) {
         const auto& [low, high] = other.ends(e);
+        const double gap = snap.of(m.side[s].is_feature(v) || other.is_feature_edge(e));
+        if (are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
-        if (c.t > 0 && c.t < 1 && d <= snap.of(m.side[s].is_feature(v) || other.is_feature_edge(e)))
-          found.push_back({v, d, e, c.t, c.point});
+        if (c.t > 0 && c.t < 1 && d <= gap) found.push_back({v, d, e, c.t, c.point, d > snap.weld});
       }
     }
   }
@@ -115,13 +131,36 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
     const Snap snap = m.snap(p);
     for (const VertexId v : m.side[s].corners(p[s])) {
       if (!is_undecided(m, s, v)) continue;
-      const TrianglePoint c = closest_on_triangle(m.at(v), m.triangle(1 - s, p[1 - s]));
+      const double gap = snap.of(m.side[s].is_feature(v));
+      const Triangle t = m.triangle(1 - s, p[1 - s]);
+      const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
+      if (std::abs(dot(n, m.at(v) - t[0])) > gap * norm(n)) continue;
+      const TrianglePoint c = closest_on_triangle(m.at(v), t);
       const double d = distance(m.at(v), c.point);
-      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= snap.of(m.side[s].is_feature(v)))
-        found.push_back({v, d, p[1 - s], 0, c.point});
+      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap)
+        found.push_back({v, d, p[1 - s], 0, c.point, d > snap.weld});
     }
   }
   return nearest_of_each(std::move(found));
+}
+
+/// True if a face at the vertex would have all three corners on the face g of the other side. A face
+/// thinner than the tolerance (a piece left by an earlier component) would fold onto it.
+bool would_flatten(const Meeting& m, std::size_t s, VertexId v, LocalFace g) {
+  const auto is_on = [&](VertexId w) {
+    return w == v || (m.has_symbol(s, w) && m.on_face(m.symbols[m.symbol_of[s][w.value]], 1 - s, g));
+  };
+  const auto faces = m.side[s].faces_at(v);
+  return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) {
+    const auto& corners = m.side[s].corners(f);
+    return std::all_of(corners.begin(), corners.end(), is_on);
+  });
+}
+
+bool would_flatten(const Meeting& m, std::size_t s, VertexId v, const Carrier& on) {
+  if (on.kind == Carrier::kFace) return would_flatten(m, s, v, on.id);
+  const auto faces = m.side[1 - s].faces_at_edge(on.id);
+  return std::any_of(faces.begin(), faces.end(), [&](LocalFace g) { return would_flatten(m, s, v, g); });
 }
 
 /// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
@@ -130,6 +169,7 @@ void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carri
     Symbol symbol{l.vertex, {}};
     symbol.on[s] = vertex(l.vertex);
     symbol.on[1 - s] = {kind, l.on, l.t};
+    if (l.is_gap && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
     m.add(symbol);
     GroupSetId& groups = m.complex.vertex_groups[l.vertex.value];
     groups = m.groups.unite(groups, m.groups_on(1 - s, symbol.on[1 - s]));
@@ -151,8 +191,11 @@ struct EdgePair {
   std::array<LocalEdge, 2> edge;
   std::array<double, 2> t;
   Vec3 point;  // on the edge of side 0
+  double distance = 0;
+  bool is_gap = false;  // farther apart than the weld length
 };
 
+/// The nearest first.
 std::vector<EdgePair> passing_edges(const Meeting& m) {
   std::vector<EdgePair> found;
   for (const FacePair& p : m.pairs) {
@@ -161,17 +204,34 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
       for (const LocalEdge f : m.side[1].edges(p[1])) {
         const auto& [a, b] = m.side[0].ends(e);
         const auto& [c, d] = m.side[1].ends(f);
+        const double gap = snap.of(m.side[0].is_feature_edge(e) || m.side[1].is_feature_edge(f));
+        if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
-        const double gap = snap.of(m.side[0].is_feature_edge(e) || m.side[1].is_feature_edge(f));
-        if (inside && distance(near.first.point, near.second.point) <= gap && !share_symbol(m, e, f))
-          found.push_back({{e, f}, {near.first.t, near.second.t}, near.first.point});
+        const double apart = distance(near.first.point, near.second.point);
+        if (inside && apart <= gap && !share_symbol(m, e, f))
+          found.push_back({{e, f}, {near.first.t, near.second.t}, near.first.point, apart, apart > snap.weld});
       }
   }
-  std::sort(found.begin(), found.end(), [](const EdgePair& a, const EdgePair& b) { return a.edge < b.edge; });
+  std::sort(found.begin(), found.end(), [](const EdgePair& a, const EdgePair& b) {
+    return std::tie(a.distance, a.edge) < std::tie(b.distance, b.edge);
+  });
   const auto same = [](const EdgePair& a, const EdgePair& b) { return a.edge == b.edge; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;
+}
+
+/// A straight edge meets a face once, unless it runs along it. An edge steep to a face, with a symbol
+/// on it already, has no second one a tolerance away on a side of that face.
+bool is_doubtful(const Meeting& m, const EdgePair& p) {
+  constexpr double kSteep = 0.3;  // sine of the angle from which an edge does not run along a face
+  for (const std::size_t s : kSides) {
+    const auto& [a, b] = m.side[s].ends(p.edge[s]);
+    const Vec3 along = normalized(m.at(b) - m.at(a));
+    for (const LocalFace f : m.side[1 - s].faces_at_edge(p.edge[1 - s]))
+      if (std::abs(dot(along, unit_normal(m.triangle(1 - s, f)))) > kSteep && m.meet(s, p.edge[s], f)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -189,10 +249,11 @@ void declare_vertices(Meeting& m) {
 
 void declare_edges(Meeting& m) {
   for (const EdgePair& p : passing_edges(m)) {
+    if (p.is_gap && is_doubtful(m, p)) continue;
     const std::array<Carrier, 2> on{Carrier{Carrier::kEdge, p.edge[0], p.t[0]},
                                     Carrier{Carrier::kEdge, p.edge[1], p.t[1]}};
     m.add({m.new_vertex(p.point, on), on});
-    m.crossed_edges.push_back(p.edge);
+    m.crossed_edges.insert(p.edge);
   }
 }
 

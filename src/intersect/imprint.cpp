@@ -23,7 +23,7 @@ class Imprinter {
     for (const auto& [y, x] : m.replaced) by_[y.value] = x;
   }
 
-  std::optional<JunctionFault> run(FaceMarks& marks) {
+  std::optional<ImprintFault> run(FaceMarks& marks) {
     if (auto fault = check_fixed_edges()) return fault;
     split_lines();
     return rebuild_faces(marks);
@@ -39,7 +39,7 @@ class Imprinter {
     return points;
   }
 
-  std::optional<JunctionFault> check_fixed_edges() {
+  std::optional<ImprintFault> check_fixed_edges() {
     for (auto& edge : m_.complex.fixed_edges) {
       for (const std::size_t s : kSides) {
         const LocalEdge e = m_.side[s].find(edge[0], edge[1]);
@@ -47,10 +47,11 @@ class Imprinter {
         const std::vector<VertexId> points = points_on(s, e, edge[0]);
         if (points.empty()) continue;
         const FaceId f = m_.side[s].face(m_.side[s].faces_at_edge(e)[0]);
-        return JunctionFault{ErrorCode::kUnsupportedElement,
+        return ImprintFault{{ErrorCode::kUnsupportedElement,
                              "an edge of an element that cannot be remeshed meets another mesh",
                              {m_.complex.parent[f.value]},
-                             m_.at(points[0])};
+                             m_.at(points[0])},
+                            {}};
       }
       edge = {by_[edge[0].value], by_[edge[1].value]};
       std::sort(edge.begin(), edge.end());
@@ -88,18 +89,19 @@ class Imprinter {
     return face;
   }
 
-  [[nodiscard]] JunctionFault fault(std::size_t s, LocalFace f) const {
+  [[nodiscard]] ImprintFault fault(std::size_t s, LocalFace f) const {
     const FaceId id = m_.side[s].face(f);
     const Triangle t = m_.triangle(s, f);
     const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
     const bool flat = area(t) <= 0.5 * longest * m_.rule.at(m_.size[id.value]).weld;
-    return {flat ? ErrorCode::kDegenerateFace : ErrorCode::kJunctionNotResolved,
-            flat ? "a face without area meets another mesh" : "a face cannot be cut along the junction",
-            {m_.complex.parent[id.value]},
-            centroid(t)};
+    return {{flat ? ErrorCode::kDegenerateFace : ErrorCode::kJunctionNotResolved,
+             flat ? "a face without area meets another mesh" : "a face cannot be cut along the junction",
+             {m_.complex.parent[id.value]},
+             centroid(t)},
+            id};
   }
 
-  std::optional<JunctionFault> rebuild_faces(FaceMarks& marks) {
+  std::optional<ImprintFault> rebuild_faces(FaceMarks& marks) {
     Complex& c = m_.complex;
     Complex old;  // the lists of faces as they were
     std::swap(old.face, c.face), std::swap(old.parent, c.parent), std::swap(old.component, c.component);
@@ -110,6 +112,7 @@ class Imprinter {
       const auto add = [&](const std::array<VertexId, 3>& v, bool touched, bool active) {
         c.add_face(v, old, FaceId(f));
         now.size.push_back(marks.size[f]), now.touched.push_back(touched), now.active.push_back(active);
+        now.from.push_back(FaceId(f));
       };
       std::size_t s = 0;
       while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;
@@ -139,7 +142,7 @@ class Imprinter {
 
 }  // namespace
 
-std::optional<JunctionFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks) {
+std::optional<ImprintFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks) {
   return Imprinter(meeting, imprint).run(marks);
 }
 

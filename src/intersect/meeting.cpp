@@ -31,6 +31,13 @@ Snap SnapRule::at(double size) const {
   return {std::max(weld, std::min(options_.tolerance.at(size), kLargestSnap * size)), weld};
 }
 
+Snap Meeting::snap(const FacePair& p) const {
+  const FaceId f = side[0].face(p[0]), g = side[1].face(p[1]);
+  Snap snap = rule.at(std::min(size[f.value], size[g.value]));
+  if (exact[f.value] || exact[g.value]) snap.feature = snap.weld;
+  return snap;
+}
+
 bool Meeting::on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const {
   const Carrier& on = symbol.on[s];
   if (on.kind == Carrier::kEdge) return on.id == e;
@@ -44,6 +51,16 @@ bool Meeting::on_face(const Symbol& symbol, std::size_t s, LocalFace f) const {
   if (on.kind == Carrier::kVertex) return contains(side[s].corners(f), on.id);
   const auto& edges = side[s].edges(f);
   return edges[0] == on.id || edges[1] == on.id || edges[2] == on.id;
+}
+
+bool Meeting::meet(std::size_t s, LocalEdge e, LocalFace f) const {
+  for (const VertexId v : side[s].ends(e))
+    if (has_symbol(s, v) && on_face(symbols[symbol_of[s][v.value]], 1 - s, f)) return true;
+  for (const VertexId v : side[1 - s].corners(f))
+    if (has_symbol(1 - s, v) && on_edge(symbols[symbol_of[1 - s][v.value]], s, e)) return true;
+  for (const LocalEdge of_face : side[1 - s].edges(f))
+    if (crossed_edges.contains(s == 0 ? std::array{e, of_face} : std::array{of_face, e})) return true;
+  return false;
 }
 
 std::uint32_t Meeting::add(const Symbol& symbol) {
@@ -123,7 +140,8 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
   return pairs;
 }
 
-Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size, const SnapRule& rule,
+Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
+                     std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
                      std::span<const std::uint8_t> is_second, double sharp_angle) {
   std::array<std::vector<FaceId>, 2> faces;
@@ -135,6 +153,7 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
   Meeting m{complex,
             groups,
             size,
+            exact,
             rule,
             {Side(complex, std::move(faces[0]), is_first, sharp_angle),
              Side(complex, std::move(faces[1]), is_second, sharp_angle)},

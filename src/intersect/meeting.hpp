@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -55,27 +56,29 @@ class SnapRule {
 struct Meeting {
   Complex& complex;
   GroupSets& groups;
-  std::span<const double> size;  // by face of the complex: mean edge length of its input face
+  std::span<const double> size;         // by face of the complex: mean edge length of its input face
+  std::span<const std::uint8_t> exact;  // by face of the complex: 1 if no gap is closed there
   SnapRule rule;
   std::array<Side, 2> side;
   std::vector<FacePair> pairs;  // ascending
 
   std::vector<Symbol> symbols;
   std::array<std::vector<std::uint32_t>, 2> symbol_of;  // by side and vertex; kNowhere if none
-  std::vector<std::array<LocalEdge, 2>> crossed_edges;  // pairs of edges with a symbol, ascending
+  std::set<std::array<LocalEdge, 2>> crossed_edges;     // pairs of edges with a symbol inside both
   std::vector<std::array<VertexId, 2>> replaced;        // vertex of side 1, of side 0 that it became
   std::vector<std::pair<VertexId, Vec3>> moved;         // vertex of side 1, where it was
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
-  [[nodiscard]] Snap snap(const FacePair& p) const {
-    return rule.at(std::min(size[side[0].face(p[0]).value], size[side[1].face(p[1]).value]));
-  }
+  [[nodiscard]] Snap snap(const FacePair& p) const;
   [[nodiscard]] bool has_symbol(std::size_t s, VertexId v) const { return symbol_of[s][v.value] != kNowhere; }
 
   /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
   [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const;
   [[nodiscard]] bool on_face(const Symbol& symbol, std::size_t s, LocalFace f) const;
+
+  /// True if some symbol lies on both the edge of side s and the face of the other.
+  [[nodiscard]] bool meet(std::size_t s, LocalEdge e, LocalFace f) const;
 
   std::uint32_t add(const Symbol& symbol);
   /// A new vertex where edges cross, or an edge and a face.
@@ -90,7 +93,8 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
                                               const SnapRule& rule);
 
 /// Meeting of two sets of faces, without symbols yet.
-Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size, const SnapRule& rule,
+Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
+                     std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
                      std::span<const std::uint8_t> is_second, double sharp_angle);
 

@@ -58,7 +58,8 @@ void find_shared(Corefined& out) {
   make_distinct(out.met);
 }
 
-std::optional<JunctionFault> find_doubled_face(const Complex& complex, std::span<const std::uint8_t> marked) {
+std::optional<std::pair<JunctionFault, FaceId>> find_doubled_face(const Complex& complex,
+                                                                  std::span<const std::uint8_t> marked) {
   std::vector<std::pair<std::array<VertexId, 3>, FaceId>> faces;
   for (std::size_t f = 0; f < complex.n_faces(); ++f) {
     if (!marked[f]) continue;
@@ -71,10 +72,11 @@ std::optional<JunctionFault> find_doubled_face(const Complex& complex, std::span
     if (faces[i].first != faces[i - 1].first) continue;
     const FaceId f = faces[i - 1].second, g = faces[i].second;
     const bool one = complex.component[f.value] == complex.component[g.value];
-    return JunctionFault{one ? ErrorCode::kDuplicateFace : ErrorCode::kOverlap,
-                         one ? "two faces on the same nodes meet another mesh" : "faces lie on each other over an area",
-                         {complex.parent[f.value], complex.parent[g.value]},
-                         centroid(complex.corners(f))};
+    JunctionFault fault{one ? ErrorCode::kDuplicateFace : ErrorCode::kOverlap,
+                        one ? "two faces on the same nodes meet another mesh" : "faces lie on each other over an area",
+                        {complex.parent[f.value], complex.parent[g.value]},
+                        centroid(complex.corners(f))};
+    return std::pair{std::move(fault), g};
   }
   return std::nullopt;
 }

@@ -13,7 +13,8 @@ namespace meshgraft {
 void find_shared(Corefined& corefined);
 
 /// Two faces on the same vertices among the marked ones: kDuplicateFace in one component, kOverlap
-/// in two.
-std::optional<JunctionFault> find_doubled_face(const Complex& complex, std::span<const std::uint8_t> marked);
+/// in two. With the later of the two faces.
+std::optional<std::pair<JunctionFault, FaceId>> find_doubled_face(const Complex& complex,
+                                                                  std::span<const std::uint8_t> marked);
 
 }  // namespace meshgraft
