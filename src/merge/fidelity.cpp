@@ -76,7 +76,7 @@ class Measure {
  private:
   /// The tolerance over the edge length at the worst place.
   double relative(const Tolerance& tolerance) const {
-    const double length = worst_.valid() ? mean_edge_length(outcome_.final_complex.corners(worst_)) : 1;
+    const double length = worst_.valid() ? outcome_.input_edge_length(worst_) : 1;
     return tolerance.at(length) / length;
   }
 
@@ -114,7 +114,7 @@ class Measure {
     const Reference& reference = references_[outcome_.final_complex.parent[f.value].input];
     if (reference.empty()) return;
     Report::Fidelity& worst = verdict_.figures;
-    const double length = mean_edge_length(outcome_.final_complex.corners(f));
+    const double length = outcome_.input_edge_length(f);
     const double known = std::min(worst.max_distance, worst.max_distance_relative * length);
     if (reference.is_within(p, std::max(known, limits_.negligible * length))) return;
     const double d = reference.distance(p);

@@ -10,10 +10,10 @@
 namespace meshgraft {
 
 struct FidelityLimits {
-  /// Distance of a new face from the input surface, over the local edge length, that no
+  /// Distance of a new face from the input surface, over the edge length of the input, that no
   /// triangulation of about the same size needs to exceed.
   double max_relative = 0.1;
-  /// Distances below this share of the local edge length are rounding and count as none.
+  /// Distances below this share of the edge length are rounding and count as none.
   double negligible = 1e-9;
 };
 

@@ -5,6 +5,7 @@
 
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
 #include "merge/junction_summary.hpp"
 
 namespace meshgraft {
@@ -94,11 +95,12 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
 
   const auto matches = [&](const Complex& complex, const EdgeUse& e, std::span<const NodePair> known,
                            const Segments& segments) {
+    const ElementRef parent = complex.parent[e.face.value];
     const NodePair nodes = key(complex, e);
     if (nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes)) return true;
     const Segment s = segment(complex, e.low, e.high);
-    const double length = distance(s[0], s[1]);
-    return segments.cover(s, std::max(max_distance * length, tolerance.at(length)));
+    const double input_length = mean_edge_length(outcome.inputs[parent.input]->corners(parent.element));
+    return segments.cover(s, std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length)));
   };
   FreeEdgeChanges changes;
   for (const EdgeUse& e : new_edges)

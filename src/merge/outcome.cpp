@@ -19,6 +19,11 @@ std::string Outcome::text(FaceId f) const {
          text_of(centroid(final_complex.corners(f)));
 }
 
+double Outcome::input_edge_length(FaceId f) const {
+  const ElementRef parent = final_complex.parent[f.value];
+  return mean_edge_length(inputs[parent.input]->corners(parent.element));
+}
+
 Place Outcome::parent_place(FaceId f) const {
   const ElementRef parent = final_complex.parent[f.value];
   return place_of(*inputs[parent.input], parent.element);
@@ -37,7 +42,7 @@ std::vector<std::uint8_t> changed_vertices(const Outcome& outcome) {
   for (std::size_t v = 0; v < changed.size(); ++v)
     changed[v] = complex.node[v].valid() && std::ranges::binary_search(of_removed, complex.node[v]) ? 1 : 0;
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (outcome.is_new(FaceId(f)))
+    if (outcome.is_changed(FaceId(f)))
       for (const VertexId v : complex.face[f]) changed[v.value] = 1;
   return changed;
 }

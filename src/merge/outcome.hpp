@@ -22,6 +22,10 @@ struct Outcome {
   const Labels& labels;
 
   [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }
+  /// New, or kept with a corner at another place.
+  [[nodiscard]] bool is_changed(FaceId f) const { return stitched.changed[f.value] != 0; }
+  /// Mean edge length of the parent of a face: the fineness of the input there.
+  [[nodiscard]] double input_edge_length(FaceId f) const;
   /// Label in the merged model.
   [[nodiscard]] std::int64_t label(FaceId f) const;
   /// "new element 57 at (1, 2, 0.5)", the place being the centroid.
@@ -30,8 +34,8 @@ struct Outcome {
   [[nodiscard]] Place parent_place(FaceId f) const;
 };
 
-/// By vertex of the final complex: 1 where a face is new or a face was removed. Whatever changed
-/// has all its corners marked.
+/// By vertex of the final complex: 1 where a face changed or was removed. Whatever changed has all
+/// its corners marked.
 [[nodiscard]] std::vector<std::uint8_t> changed_vertices(const Outcome& outcome);
 
 }  // namespace meshgraft

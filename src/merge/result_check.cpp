@@ -74,9 +74,7 @@ class ResultCheck {
   }
 
   void intersections() {
-    std::vector<std::uint8_t> is_new(complex_.n_faces());
-    for (std::size_t f = 0; f < is_new.size(); ++f) is_new[f] = outcome_.is_new(FaceId(f)) ? 1 : 0;
-    const auto pairs = intersecting_faces(complex_, is_new);
+    const auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
     if (pairs.empty()) return;
     const std::vector<ParentPair> excused = met_before();
     Findings findings(errors_, limits_.max_listed);
@@ -97,7 +95,7 @@ class ResultCheck {
     Findings findings(errors_, limits_.max_listed);
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
-      if (keys[k - 1].first == keys[k].first && (outcome_.is_new(a) || outcome_.is_new(b)))
+      if (keys[k - 1].first == keys[k].first && (outcome_.is_changed(a) || outcome_.is_changed(b)))
         findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
                      outcome_.parent_place(b));
     }
@@ -124,7 +122,7 @@ class ResultCheck {
     Findings turned(errors_, limits_.max_listed), groups(errors_, limits_.max_listed);
     for (std::size_t k = 0; k < complex_.n_faces(); ++k) {
       const FaceId f(k);
-      if (!outcome_.is_new(f)) continue;
+      if (!outcome_.is_changed(f)) continue;
       const ElementRef parent = complex_.parent[k];
       const Model& model = *outcome_.inputs[parent.input];
       if (dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)

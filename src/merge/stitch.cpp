@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/quality.hpp"
+
 namespace meshgraft {
 namespace {
 
@@ -102,13 +104,19 @@ class Stitcher {
     const ElementRef parent = final_.parent[f];
     const auto nodes = inputs_[parent.input]->nodes_of(parent.element);
     const auto& v = final_.face[f];
-    const auto same_corner = [&](std::size_t corner, std::size_t k) {
-      const NodeRef n{parent.input, nodes[k]};
-      return final_.position[v[corner].value] == input_position(n) && is_node(v[corner], n);
-    };
+    const auto same = [&](std::size_t corner, std::size_t k) { return is_node(v[corner], {parent.input, nodes[k]}); };
     for (std::size_t turn = 0; turn < 3; ++turn)
-      if (same_corner(0, turn) && same_corner(1, (turn + 1) % 3) && same_corner(2, (turn + 2) % 3)) return true;
+      if (same(0, turn) && same(1, (turn + 1) % 3) && same(2, (turn + 2) % 3)) return true;
     return false;
+  }
+
+  /// Whether a corner of a kept face is at another place than in its input.
+  bool is_moved_face(std::size_t f) const {
+    const ElementRef parent = final_.parent[f];
+    const Triangle before = inputs_[parent.input]->corners(parent.element);
+    return std::ranges::any_of(final_.face[f], [&](VertexId v) {
+      return std::ranges::find(before, final_.position[v.value]) == before.end();
+    });
   }
 
   bool is_kept_line(const Complex::Line& line) const {
@@ -119,13 +127,17 @@ class Stitcher {
   /// Tells kept from new elements; positions of the new ones follow their parents.
   void sort_elements() {
     out_.new_element.assign(final_.n_faces(), Stitched::kKept);
+    out_.changed.assign(final_.n_faces(), 0);
     const auto n_faces = static_cast<std::uint32_t>(final_.n_faces());
     std::vector<std::pair<ElementRef, std::uint32_t>> fresh;  // faces, then lines
-    for (std::uint32_t f = 0; f < n_faces; ++f)
-      if (is_kept_face(f))
+    for (std::uint32_t f = 0; f < n_faces; ++f) {
+      const bool kept = is_kept_face(f);
+      if (kept)
         kept_.push_back(final_.parent[f]);
       else
         fresh.emplace_back(final_.parent[f], f);
+      out_.changed[f] = !kept || is_moved_face(f) ? 1 : 0;
+    }
     for (std::uint32_t k = 0; k < final_.lines.size(); ++k)
       if (is_kept_line(final_.lines[k]))
         kept_.push_back(final_.lines[k].parent);

@@ -14,6 +14,7 @@ namespace meshgraft {
 struct Stitched {
   static constexpr std::uint32_t kKept = 0xFFFFFFFF;
   std::vector<std::uint32_t> new_element;  // by face: position in Graft::new_elements, or kKept
+  std::vector<std::uint8_t> changed;       // by face: 1 if it is new, or kept with a corner at another place
   std::vector<NodeRef> node;               // by vertex: input node or {kNew, position}; invalid if unused
 
   /// Nodes that had to stay but are in no vertex of the final complex; empty unless a step before
@@ -23,9 +24,9 @@ struct Stitched {
 
 /// Compares the complex before (`original`, the workpiece) and after (`final_complex`).
 ///
-///  (1) A face is kept if it has the nodes of its parent, at the same places bit for bit and in the
-///      same orientation. A line is kept if it has the nodes of its parent, in the same order.
-///      Every other face and line is new; faces and lines of the workpiece not kept are removed.
+///  (1) A face is kept if it has the nodes of its parent, or those that replaced them, in the same
+///      orientation; a line, if in the same order. Every other face and line is new; faces and
+///      lines of the workpiece not kept are removed.
 ///  (2) A node of the workpiece that no face or line uses any more is removed, unless other elements use it.
 ///  (3) New elements stand in the order of their parents, new nodes in the order of first use.
 ///  (4) Nodes of parts that became one with another node are replaced by it.

@@ -107,20 +107,22 @@ TEST(Stitch, APinnedNodeMissingFromTheComplexIsReported) {
   EXPECT_EQ(m.stitch_now().lost_nodes, (std::vector<NodeRef>{{0, NodeId(std::size_t{0})}}));
 }
 
-TEST(Stitch, ANodePulledIntoPlaceMovesAndItsFacesAreNew) {
+TEST(Stitch, ANodePulledIntoPlaceMovesAndItsFacesAreKeptButChanged) {
   HandMade m({plate(), plate({0, 0, 1}, "PART")});
   const NodeRef node{1, NodeId(std::size_t{6})};
   const VertexId v = m.vertex(1, 6);
   const Vec3 from = m.final_complex.position[v.value], to = from - Vec3{0, 0, 0.001};
   m.corefined.moves.push_back({node, v, from, to});
   m.corefined.complex.position[v.value] = m.final_complex.position[v.value] = to;
-  m.stitch_now();
+  const Stitched& s = m.stitch_now();
   ASSERT_EQ(m.graft.moved_nodes.size(), 1u);
   EXPECT_EQ(m.graft.moved_nodes[0].node, node);
   EXPECT_EQ(m.graft.moved_nodes[0].to, to);
   EXPECT_TRUE(m.graft.new_nodes.empty());
   EXPECT_TRUE(m.graft.removed_nodes[1].empty());
-  EXPECT_FALSE(m.graft.new_elements.empty());
+  EXPECT_TRUE(m.graft.new_elements.empty());
+  for (std::size_t f = 0; f < m.final_complex.n_faces(); ++f)
+    EXPECT_EQ(s.changed[f] != 0, std::ranges::find(m.final_complex.face[f], v) != m.final_complex.face[f].end());
 }
 
 /// Two plates side by side; the nodes of the second on the line x = 4 become those of the first.
