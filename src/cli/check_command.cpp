@@ -54,6 +54,9 @@ const char* verdict(const CheckResult& r) {
 
 void print_check(const Model& model, const CheckResult& r, double min_quality) {
   print_line("triangles", fmt::format("{}, area {}", r.faces, figure(r.area)));
+  if (model.n_elements() > r.faces)
+    print_line("", fmt::format("not checked: {} of other kinds",
+                               counted(model.n_elements() - r.faces, "element", "elements")));
   print_line(
       "edges",
       fmt::format("mean length {}; {} free, {} non-manifold, {} sharp, {} between opposite orientations",

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
+#include <tuple>
 
 #include "cli/print.hpp"
 
@@ -23,7 +23,6 @@ std::string input_name(const MergeArguments& arguments, std::size_t input) {
 }
 
 std::string junction(const Report& report, const MergeArguments& arguments) {
-  if (report.junction.empty()) return "nowhere";
   double length = 0;
   std::size_t closed = 0;
   for (const PolylineSummary& p : report.junction) length += p.length, closed += p.closed ? 1 : 0;
@@ -87,13 +86,13 @@ std::string groups(const Report& report) {
 
 std::string labels(const Report& report, const MergeArguments& arguments) {
   if (report.labels.empty()) return "all kept";
-  std::size_t nodes = 0;
-  std::set<std::pair<std::uint32_t, std::int64_t>> shifts;
-  for (const LabelShift& l : report.labels) nodes += l.kind == "node" ? 1 : 0, shifts.emplace(l.input, l.to - l.from);
-  std::string text =
-      fmt::format("base kept; of the parts, {} and {} moved where taken already:", counted(nodes, "node", "nodes"),
-                  counted(report.labels.size() - nodes, "element", "elements"));
-  for (const auto& [input, shift] : shifts) text += fmt::format(" +{} ({})", shift, input_name(arguments, input));
+  std::map<std::tuple<std::uint32_t, std::string, std::int64_t>, std::size_t> n;  // input, kind, shift
+  for (const LabelShift& l : report.labels) ++n[{l.input, l.kind, l.to - l.from}];
+  std::string text = "base kept; in parts, where taken already:";
+  for (const auto& [key, count] : n) {
+    const auto& [input, kind, shift] = key;
+    text += fmt::format("\n{}: {} + {}", input_name(arguments, input), counted(count, kind, kind + "s"), shift);
+  }
   return text;
 }
 

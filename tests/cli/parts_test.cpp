@@ -11,6 +11,7 @@ namespace meshgraft::cli {
 namespace {
 
 TEST(DeferredSignals, TakeEffectAtTheEndOfTheScope) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto interrupted_work = [] {
     const DeferredSignals deferred;
     std::raise(SIGINT);
