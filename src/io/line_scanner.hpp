@@ -1,7 +1,10 @@
 // Lines of a text that stays where it is.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -32,6 +35,22 @@ struct LineScanner {
     return terminator == '\n' && end > begin && text[end - 1] == '\r' ? end - 1 : end;
   }
 };
+
+/// How often `c` occurs. Counts in many narrow counters, which compilers turn into vector code.
+inline std::size_t count_of(char c, std::string_view text) {
+  constexpr std::size_t kLanes = 64, kRows = 255;
+  std::size_t total = 0;
+  while (text.size() >= kLanes) {
+    std::array<std::uint8_t, kLanes> count{};
+    const std::size_t rows = std::min(text.size() / kLanes, kRows);
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t k = 0; k < kLanes; ++k)
+        count[k] = static_cast<std::uint8_t>(count[k] + (text[row * kLanes + k] == c ? 1 : 0));
+    for (const std::uint8_t n : count) total += n;
+    text.remove_prefix(rows * kLanes);
+  }
+  return total + static_cast<std::size_t>(std::count(text.begin(), text.end(), c));
+}
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 

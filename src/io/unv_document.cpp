@@ -9,10 +9,6 @@ constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes between two known
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr char kControlZ = 0x1A;
 
-std::uint64_t count_lines(std::string_view text, char terminator) {
-  return static_cast<std::uint64_t>(std::count(text.begin(), text.end(), terminator));
-}
-
 }  // namespace
 
 DatasetKind kind_of(std::int64_t number) {
@@ -85,14 +81,13 @@ std::uint64_t Document::line_of(std::uint64_t offset) const {
     std::uint64_t before = 0;
     for (std::size_t begin = 0; begin < text_.size(); begin += kBlock) {
       lines_before_.push_back(before);
-      before += count_lines(text_.substr(begin, kBlock), lines.terminator);
+      before += count_of(lines.terminator, text_.substr(begin, kBlock));
     }
   });
   offset = std::min<std::uint64_t>(offset, text_.size());
   if (lines_before_.empty()) return 1;
   const std::size_t block = std::min<std::size_t>(offset / kBlock, lines_before_.size() - 1);
-  return 1 + lines_before_[block] +
-         count_lines(text_.substr(block * kBlock, offset - block * kBlock), lines.terminator);
+  return 1 + lines_before_[block] + count_of(lines.terminator, text_.substr(block * kBlock, offset - block * kBlock));
 }
 
 Error Document::error(const Fault& fault) const {

@@ -198,9 +198,7 @@ class PieceParser {
     const std::int64_t label = header_[0];
     piece.label.push_back(label), piece.place.push_back(at);
     piece.n_nodes.push_back(static_cast<std::uint32_t>(nodes.size()));
-    const ElementAttributes a = attributes_of(header_, layout_);
-    piece.attributes.push_back(piece.table.intern(a));
-    if (a.physical < 0 || a.material < 0) piece.findings.negative.add(at);
+    piece.attributes.push_back(attributes(at, piece));
     for (const std::int64_t node : nodes) {
       const std::uint32_t id = nodes_.find(node);
       piece.nodes.push_back(NodeId());
@@ -220,13 +218,28 @@ class PieceParser {
       piece.orientation.push_back({ElementId(piece.label.size() - 1), NodeId(std::size_t{id})});
   }
 
+  /// The attributes of header_; most elements have those of the one before.
+  std::uint32_t attributes(std::size_t at, Piece& piece) {
+    if (piece.attributes.empty() || header_.size() != last_header_.size() ||
+        !std::equal(header_.begin() + 1, header_.end(), last_header_.begin() + 1)) {
+      const ElementAttributes a = attributes_of(header_, layout_);
+      negative_ = a.physical < 0 || a.material < 0;
+      last_header_ = header_;
+      last_attributes_ = piece.table.intern(a);
+    }
+    if (negative_) piece.findings.negative.add(at);
+    return last_attributes_;
+  }
+
   const Document& d_;
   std::size_t limit_;
   ElementLayout layout_;
   FastParser fast_;
   const LabelIndex& nodes_;
   ElementRecord record_;
-  std::vector<std::int64_t> header_;
+  std::vector<std::int64_t> header_, last_header_;
+  std::uint32_t last_attributes_ = 0;  // of last_header_
+  bool negative_ = false;
 };
 
 /// Parses all pieces at once from guessed starts, then makes sure that each starts where the one

@@ -131,8 +131,7 @@ struct Findings {
 };
 
 std::size_t count_lines(std::string_view text, char terminator) {
-  const auto n = static_cast<std::size_t>(std::count(text.begin(), text.end(), terminator));
-  return n + (!text.empty() && text.back() != terminator ? 1 : 0);
+  return count_of(terminator, text) + (!text.empty() && text.back() != terminator ? 1 : 0);
 }
 
 /// Parses records of exactly two lines in parallel; false, with the model as it was, if some
