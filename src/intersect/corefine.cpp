@@ -5,6 +5,7 @@
 
 #include "geometry/quality.hpp"
 #include "intersect/imprint.hpp"
+#include "intersect/overlap.hpp"
 #include "intersect/shared.hpp"
 
 namespace meshgraft {
@@ -23,6 +24,7 @@ class Corefiner {
       marks_.size.push_back(mean_edge_length(complex.corners(FaceId(f))));
     marks_.touched.assign(complex.n_faces(), 0);
     marks_.active.assign(complex.n_faces(), 1);
+    marks_.from.resize(complex.n_faces());
   }
 
   tl::expected<Corefined, JunctionFault> run() {
@@ -39,31 +41,32 @@ class Corefiner {
   /// impossible to cut along what was declared on it, the gaps at that face are left as they are,
   /// and then those at the faces around it.
   std::optional<JunctionFault> join(std::uint32_t component) {
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) marks_.active[f] = 1, marks_.from[f] = FaceId(f);
     const Complex complex = complex_;
     const FaceMarks marks = marks_;
+    const auto moved_from = moved_from_;
+    const std::size_t n_replaced = replaced_.size();
     std::vector<std::uint8_t> exact(complex.n_faces());
     for (int attempt = 0;; ++attempt) {
-      std::fill(marks_.active.begin(), marks_.active.end(), 1);
-      const auto failed = meet(component, 0, exact);
-      if (!failed) return later_rounds(component);
+      auto failed = all_rounds(component, exact);
+      if (!failed) return std::nullopt;
       if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(complex, failed->face, exact))
-        return failed->fault;
+        return std::move(failed->fault);
       complex_ = complex, marks_ = marks;
-      moved_from_ = moved_before_, replaced_.resize(n_replaced_before_);
+      moved_from_ = moved_from, replaced_.resize(n_replaced);
     }
   }
 
-  std::optional<JunctionFault> later_rounds(std::uint32_t component) {
-    for (int round = 1; !settled_ && round < kMaxRounds; ++round) {
-      const std::vector<std::uint8_t> exact(complex_.n_faces());
-      if (auto failed = meet(component, round, exact)) return failed->fault;
-    }
-    moved_before_ = moved_from_, n_replaced_before_ = replaced_.size();
+  std::optional<ImprintFault> all_rounds(std::uint32_t component, std::span<const std::uint8_t> exact) {
+    settled_ = false;
+    for (int round = 0; !settled_ && round < kMaxRounds; ++round)
+      if (auto failed = meet(component, round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
     if (settled_) return std::nullopt;
-    return JunctionFault{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}};
+    return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }
 
-  /// One round. Sets settled_ if the sides do not meet anywhere anew.
+  /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it
+  /// was before the first round.
   std::optional<ImprintFault> meet(std::uint32_t component, int round, std::span<const std::uint8_t> exact) {
     const SnapRule rule(complex_, options_, round == 0);
     const std::array<std::vector<FaceId>, 2> faces = active_faces(component);
@@ -79,9 +82,16 @@ class Corefiner {
     if (settled_) return std::nullopt;
     remember_moves(m);
     const auto imprint = link_symbols(m, options_);
-    if (!imprint) return ImprintFault{imprint.error(), {}};
+    if (!imprint) {
+      // In the first round the inputs overlap; later it is something that bending has made.
+      const FaceId g = m.side[1].face(imprint.error().faces[1]);
+      return ImprintFault{overlap_fault(m, imprint.error().faces), round == 0 ? FaceId{} : marks_.from[g.value]};
+    }
     if (auto fault = find_flat_face(m, *imprint)) return fault;
-    if (auto fault = apply(m, *imprint, marks_)) return fault;
+    if (auto fault = apply(m, *imprint, marks_)) {
+      if (fault->face.valid()) fault->face = marks_.from[fault->face.value];
+      return fault;
+    }
     if (auto doubled = find_doubled_face(complex_, marks_.active))
       return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
     return std::nullopt;
@@ -147,7 +157,7 @@ class Corefiner {
                                "a face without area meets another mesh",
                                {complex_.parent[id.value]},
                                centroid(t)},
-                              id};
+                              marks_.from[id.value]};
       }
     return std::nullopt;
   }
@@ -172,8 +182,6 @@ class Corefiner {
   FaceMarks marks_;
   std::map<VertexId, Vec3> moved_from_;
   std::vector<Corefined::Replaced> replaced_;
-  std::map<VertexId, Vec3> moved_before_;  // up to the last component joined
-  std::size_t n_replaced_before_ = 0;
   bool settled_ = false;
 };
 

@@ -30,6 +30,17 @@ void declare_shared(Meeting& m) {
         if (x == y && !m.has_symbol(0, x)) m.add({x, {vertex(x), vertex(y)}});
 }
 
+/// A gap is closed across it, not along a surface: things that lie beside each other on one surface
+/// stay apart unless both are features. True if `q`, `gap` away from `at` on side s, is not much
+/// nearer to another point of the faces around.
+bool is_straight_across(const Meeting& m, std::size_t s, std::span<const LocalFace> faces, Vec3 at, Vec3 q,
+                        double gap) {
+  constexpr double kSideways = 0.5;  // share of the gap by which the nearest point may lie beside
+  return std::all_of(faces.begin(), faces.end(), [&](LocalFace f) {
+    return distance(closest_on_triangle(q, m.triangle(s, f)).point, at) <= kSideways * gap;
+  });
+}
+
 /// A vertex of side 1 becomes a vertex of side 0. Ordered by distance, so that the nearest win.
 struct VertexPair {
   double distance = 0;
@@ -44,8 +55,12 @@ std::vector<VertexPair> near_vertices(const Meeting& m) {
     for (const VertexId y : m.side[1].corners(p[1])) {
       if (m.has_symbol(1, y) || m.complex.state[y.value] == VertexState::kFrozen) continue;
       for (const VertexId x : m.side[0].corners(p[0])) {
+        const bool fx = m.side[0].is_feature(x), fy = m.side[1].is_feature(y);
         const double d = distance(m.at(x), m.at(y));
-        if (d <= snap.of(m.side[0].is_feature(x) || m.side[1].is_feature(y))) found.push_back({d, x, y});
+        if (d > snap.of(fx || fy)) continue;
+        if (d > snap.weld && !fx && !is_straight_across(m, 0, m.side[0].faces_at(x), m.at(x), m.at(y), d)) continue;
+        if (d > snap.weld && !fy && !is_straight_across(m, 1, m.side[1].faces_at(y), m.at(y), m.at(x), d)) continue;
+        found.push_back({d, x, y});
       }
     }
   }
@@ -118,7 +133,14 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         if (are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
-        if (c.t > 0 && c.t < 1 && d <= gap) found.push_back({v, d, e, c.t, c.point, d > snap.weld});
+        if (c.t <= 0 || c.t >= 1 || d > gap) continue;
+        const bool is_gap = d > snap.weld;
+        if (is_gap && !other.is_feature_edge(e) &&
+            !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
+          continue;
+        if (is_gap && !m.side[s].is_feature(v) && !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d))
+          continue;
+        found.push_back({v, d, e, c.t, c.point, is_gap});
       }
     }
   }
@@ -209,8 +231,16 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
         const double apart = distance(near.first.point, near.second.point);
-        if (inside && apart <= gap && !share_symbol(m, e, f))
-          found.push_back({{e, f}, {near.first.t, near.second.t}, near.first.point, apart, apart > snap.weld});
+        if (!inside || apart > gap || share_symbol(m, e, f)) continue;
+        const bool is_gap = apart > snap.weld;
+        const Vec3 on_e = near.first.point, on_f = near.second.point;
+        if (is_gap && !m.side[0].is_feature_edge(e) &&
+            !is_straight_across(m, 0, m.side[0].faces_at_edge(e), on_e, on_f, apart))
+          continue;
+        if (is_gap && !m.side[1].is_feature_edge(f) &&
+            !is_straight_across(m, 1, m.side[1].faces_at_edge(f), on_f, on_e, apart))
+          continue;
+        found.push_back({{e, f}, {near.first.t, near.second.t}, on_e, apart, is_gap});
       }
   }
   std::sort(found.begin(), found.end(), [](const EdgePair& a, const EdgePair& b) {

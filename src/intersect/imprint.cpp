@@ -112,7 +112,7 @@ class Imprinter {
       const auto add = [&](const std::array<VertexId, 3>& v, bool touched, bool active) {
         c.add_face(v, old, FaceId(f));
         now.size.push_back(marks.size[f]), now.touched.push_back(touched), now.active.push_back(active);
-        now.from.push_back(FaceId(f));
+        now.from.push_back(marks.from[f]);
       };
       std::size_t s = 0;
       while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;

@@ -13,13 +13,13 @@ struct FaceMarks {
   std::vector<double> size;           // mean edge length of the input face
   std::vector<std::uint8_t> touched;  // its input face meets another component
   std::vector<std::uint8_t> active;   // near the other side in the last meeting, or cut out of such a face
-  std::vector<FaceId> from;           // the face that it was, or was part of, before the last meeting
+  std::vector<FaceId> from;           // the face that it was, or was part of, before its component was joined
 };
 
 /// Why an imprint failed.
 struct ImprintFault {
   JunctionFault fault;
-  FaceId face;  // of the complex before, that cannot be cut; invalid for other faults
+  FaceId face;  // that cannot be cut; invalid for other faults
 };
 
 /// Cuts the faces of both sides, replaces vertices that became one, splits lines along split edges.

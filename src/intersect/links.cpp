@@ -81,7 +81,7 @@ void make_distinct(std::vector<Imprint::Segment>& segments) {
 
 }  // namespace
 
-tl::expected<std::array<Imprint, 2>, JunctionFault> link_symbols(const Meeting& m, const CorefineOptions& options) {
+tl::expected<std::array<Imprint, 2>, SharedArea> link_symbols(const Meeting& m, const CorefineOptions& options) {
   std::array<Imprint, 2> imprint;
   for (const std::size_t s : kSides) imprint[s].touched.assign(m.side[s].n_faces(), 0);
   collect_points(m, imprint);
@@ -92,14 +92,14 @@ tl::expected<std::array<Imprint, 2>, JunctionFault> link_symbols(const Meeting& 
     const FacePair& faces = all[first].faces;
     for (const std::size_t s : kSides) imprint[s].touched[faces[s]] = 1;
     const Row row = row_of(m, std::span(all).subspan(first, last - first));
-    if (is_area(m, faces, row.thickness, options)) return tl::unexpected(overlap_fault(m, faces));
+    if (is_area(m, faces, row.thickness, options)) return tl::unexpected(SharedArea{faces});
     for (std::size_t i = 1; i < row.vertices.size(); ++i) {
       const auto [a, b] = std::minmax(row.vertices[i - 1], row.vertices[i]);
       for (const std::size_t s : kSides) imprint[s].segments.push_back({faces[s], {a, b}});
     }
   }
   for (const std::size_t s : kSides) make_distinct(imprint[s].segments);
-  if (const auto faces = find_overlap(m, options)) return tl::unexpected(overlap_fault(m, *faces));
+  if (const auto faces = find_overlap(m, options)) return tl::unexpected(SharedArea{*faces});
   return imprint;
 }
 

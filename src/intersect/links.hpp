@@ -36,9 +36,11 @@ struct Imprint {
 /// The imprint on both sides. Two faces meet in the symbols that both carry; faces being convex,
 /// each of these is joined to the next along the line on which they lie.
 ///
-/// Fault kOverlap if two faces share area: symbols off the line, or faces flatter to each other
-/// than the contact angle and nearer than the tolerance over more than a strip.
-tl::expected<std::array<Imprint, 2>, JunctionFault> link_symbols(const Meeting& meeting,
-                                                                 const CorefineOptions& options);
+/// Two faces that share area instead, if there are such: symbols off the line, or faces flatter to
+/// each other than the contact angle and nearer than the tolerance over more than a strip.
+struct SharedArea {
+  FacePair faces;
+};
+tl::expected<std::array<Imprint, 2>, SharedArea> link_symbols(const Meeting& meeting, const CorefineOptions& options);
 
 }  // namespace meshgraft

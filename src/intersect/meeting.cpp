@@ -34,7 +34,7 @@ Snap SnapRule::at(double size) const {
 Snap Meeting::snap(const FacePair& p) const {
   const FaceId f = side[0].face(p[0]), g = side[1].face(p[1]);
   Snap snap = rule.at(std::min(size[f.value], size[g.value]));
-  if (exact[f.value] || exact[g.value]) snap.feature = snap.weld;
+  if (!exact.empty() && (exact[f.value] || exact[g.value])) snap.feature = snap.weld;
   return snap;
 }
 

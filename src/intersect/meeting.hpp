@@ -57,7 +57,7 @@ struct Meeting {
   Complex& complex;
   GroupSets& groups;
   std::span<const double> size;         // by face of the complex: mean edge length of its input face
-  std::span<const std::uint8_t> exact;  // by face of the complex: 1 if no gap is closed there
+  std::span<const std::uint8_t> exact;  // by face of the complex: 1 if no gap is closed there; may be empty
   SnapRule rule;
   std::array<Side, 2> side;
   std::vector<FacePair> pairs;  // ascending

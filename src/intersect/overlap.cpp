@@ -19,6 +19,11 @@ bool are_flat_to_each_other(const Triangle& t, const Triangle& u, const Corefine
   return std::abs(dot(unit_normal(t), unit_normal(u))) > std::cos(angle);
 }
 
+/// The tolerance between two faces, also where gaps are left open: an overlap is never accepted.
+double tolerance(const Meeting& m, const FacePair& p) {
+  return m.rule.at(std::min(m.size[m.side[0].face(p[0]).value], m.size[m.side[1].face(p[1]).value])).feature;
+}
+
 /// A corner of a clipped polygon: its place and its signed distance from the plane of the clipper.
 struct Corner {
   Vec3 point;
@@ -72,14 +77,14 @@ double mean_width(const std::vector<Corner>& polygon) {
 }  // namespace
 
 bool is_area(const Meeting& m, const FacePair& faces, double thickness, const CorefineOptions& options) {
-  return thickness > kStrip * m.snap(faces).feature &&
+  return thickness > kStrip * tolerance(m, faces) &&
          are_flat_to_each_other(m.triangle(0, faces[0]), m.triangle(1, faces[1]), options);
 }
 
 std::optional<FacePair> find_overlap(const Meeting& m, const CorefineOptions& options) {
   for (const FacePair& p : m.pairs) {
     const Triangle t = m.triangle(0, p[0]), u = m.triangle(1, p[1]);
-    const double gap = m.snap(p).feature;
+    const double gap = tolerance(m, p);
     if (are_flat_to_each_other(t, u, options) && mean_width(part_near(u, t, gap)) > kStrip * gap) return p;
   }
   return std::nullopt;
@@ -88,7 +93,7 @@ std::optional<FacePair> find_overlap(const Meeting& m, const CorefineOptions& op
 JunctionFault overlap_fault(const Meeting& m, const FacePair& faces) {
   const FaceId f = m.side[0].face(faces[0]), g = m.side[1].face(faces[1]);
   const std::vector<Corner> shared =
-      part_near(m.triangle(1, faces[1]), m.triangle(0, faces[0]), 2 * m.snap(faces).feature);
+      part_near(m.triangle(1, faces[1]), m.triangle(0, faces[0]), 2 * tolerance(m, faces));
   Vec3 at = centroid(m.triangle(1, faces[1]));
   if (!shared.empty()) {
     at = {};
