@@ -8,7 +8,6 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kFlat = 1e-7;        // a new face must have a larger Q: the sign of its area is then beyond doubt
 constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
 constexpr double kSizeWeight = 0.3;   // of the squared logarithm of the relative size in the cost
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it

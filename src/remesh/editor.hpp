@@ -10,6 +10,12 @@
 
 namespace meshgraft {
 
+/// A new face must have a larger Q: the sign of its area is then beyond doubt.
+inline constexpr double kFlat = 1e-7;
+/// By how much the chord between two nodes of a curve may exceed the sagitta of the ruler, so that
+/// nodes can slide a little.
+inline constexpr double kSagittaSlack = 1.25;
+
 /// A mesh is valid when every curve edge has one face per side of each sheet, every other edge has
 /// two faces of one sheet, no two faces have the same corners, and each face faces like its sheet.
 class Editor {

@@ -13,7 +13,6 @@ constexpr double kFirstStep = 0.15;      // of the wanted edge length
 constexpr double kLastStep = 0.04;       // of the wanted edge length
 constexpr int kMostTrials = 16;          // places looked at in one search
 constexpr double kLeastGain = 1e-2;      // share by which a move must lower its goal
-constexpr double kSagittaSlack = 1.25;   // by which a chord may exceed the ruler's sagitta
 constexpr double kSameSize = 0.2;        // of the size: a vertex moved less is still wanted the same size
 constexpr double kClosestOnCurve = 0.2;  // to a neighbour, share of the room between both
 

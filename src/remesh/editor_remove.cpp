@@ -9,9 +9,7 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kFlat = 1e-7;          // least Q of a face that fills a hole
-constexpr double kLeastCosine = 0.5;    // curved sheets: between a new face and the mean of the old ones
-constexpr double kSagittaSlack = 1.25;  // by which a chord may exceed the ruler's sagitta
+constexpr double kLeastCosine = 0.5;  // curved sheets: between a new face and the mean of the old ones
 
 }  // namespace
 

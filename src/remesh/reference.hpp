@@ -1,7 +1,6 @@
 // The surface and the curves as they were before remeshing: where new vertices must lie.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 

@@ -47,7 +47,9 @@ struct Remeshed {
 ///      is that of the sheet.
 ///  (5) 1D elements on resampled curve edges are rebuilt along them: each new edge has one line per
 ///      line of the old edges, with the parent beneath its middle, in the parent's direction.
-///  (6) Deterministic.
+///  (6) Inside a sheet that the junction touches, all vertices of the zone that may go are replaced;
+///      other sheets change only where their faces are poor.
+///  (7) Deterministic.
 [[nodiscard]] Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
                               const std::vector<std::uint8_t>& in_zone, GroupSets& groups,
                               const RemeshOptions& options = {});

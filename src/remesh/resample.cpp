@@ -34,6 +34,10 @@ class Resampler {
  private:
   [[nodiscard]] bool fixed(VertexId v) const { return editor_.mesh().vertex(v).fixed; }
 
+  [[nodiscard]] bool is_input_node(VertexId v) const {
+    return v.value < complex_.n_vertices() && complex_.node[v.value].valid();
+  }
+
   /// Cuts the curve into portions between fixed vertices.
   void resample(CurveId c) {
     const auto& chain = brep_.curves[c.value].chain;
@@ -64,7 +68,7 @@ class Resampler {
     knots.front().keep = knots.back().keep = true;
     std::vector<std::size_t> anchors;  // the ends and the nodes of the inputs
     for (std::size_t k = 0; k < knots.size(); ++k)
-      if (knots[k].keep || complex_.node[knots[k].v.value].valid()) anchors.push_back(k);
+      if (knots[k].keep || is_input_node(knots[k].v)) anchors.push_back(k);
     std::vector<std::uint8_t> bad(anchors.size() - 1);  // by gap between anchors
     for (std::size_t g = 0; g < bad.size(); ++g) bad[g] = !well_spaced(c, knots[anchors[g]], knots[anchors[g + 1]]);
     if (closed && std::ranges::count(bad, 1) > 0) std::ranges::fill(bad, std::uint8_t{1});
@@ -104,18 +108,19 @@ class Resampler {
   void place(CurveId c, std::vector<Knot>& knots, std::span<const double> wanted) {
     for (const double arc : wanted) {
       const double spacing = sizing_.on_curve(c, editor_.reference().point(c, arc));
+      const auto after = std::ranges::lower_bound(knots, arc, {}, &Knot::arc);
       Knot* nearest = nullptr;
-      for (Knot& k : knots) {
-        const double share =
-            complex_.n_vertices() > k.v.value && complex_.node[k.v.value].valid() ? kReuseNode : kReuse;
+      const auto consider = [&](Knot& k) {
+        const double share = is_input_node(k.v) ? kReuseNode : kReuse;
         const double d = std::abs(k.arc - arc);
         if (!k.keep && d < share * spacing && (nearest == nullptr || d < std::abs(nearest->arc - arc))) nearest = &k;
-      }
+      };
+      for (auto k = after; k != knots.end() && k->arc - arc < kReuseNode * spacing; ++k) consider(*k);
+      for (auto k = after; k != knots.begin() && arc - (k - 1)->arc < kReuseNode * spacing; --k) consider(*(k - 1));
       if (nearest != nullptr) {
         nearest->keep = true;
         continue;
       }
-      const auto after = std::ranges::lower_bound(knots, arc, {}, &Knot::arc);
       if (after == knots.begin() || after == knots.end() || after->arc == arc) continue;
       if (const auto v = editor_.split_curve((after - 1)->v, after->v, c, arc)) knots.insert(after, {*v, arc, true});
     }

@@ -1,7 +1,7 @@
 #include "remesh/result.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <compare>
 
 #include "geometry/quality.hpp"
 
@@ -15,6 +15,7 @@ class Writer {
       : editor_(editor), complex_(complex), brep_(brep), in_zone_(in_zone), groups_(groups) {}
 
   Remeshed run() {
+    collect_curve_edges();
     write_lines_first();
     number_vertices();
     for (std::size_t v = 0; v < mesh().n_vertices(); ++v)
@@ -40,25 +41,22 @@ class Writer {
   struct CurveEdge {
     double from, to;
     VertexId a, b;
+    friend auto operator<=>(const CurveEdge&, const CurveEdge&) = default;
   };
 
-  /// Edges of the curve that are in the zone, ascending by arc length.
-  [[nodiscard]] std::vector<CurveEdge> edges_of(CurveId c) const {
-    std::vector<CurveEdge> edges;
+  /// Edges in the zone by curve, each list ascending by arc length.
+  void collect_curve_edges() {
+    edges_.resize(brep_.curves.size());
     for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
       const LocalFace& f = mesh().face(FaceId(k));
       if (!f.alive || !f.in_zone) continue;
       for (std::size_t i = 0; i < 3; ++i)
-        if (f.curve[i] == c) edges.push_back(with_arcs(c, f.v[i], f.v[(i + 1) % 3]));
+        if (f.curve[i].valid()) edges_[f.curve[i].value].push_back(with_arcs(f.curve[i], f.v[i], f.v[(i + 1) % 3]));
     }
-    std::ranges::sort(edges, [](const CurveEdge& x, const CurveEdge& y) {
-      return std::tie(x.from, x.to, x.a, x.b) < std::tie(y.from, y.to, y.a, y.b);
-    });
-    const auto repeated = std::ranges::unique(edges, [](const CurveEdge& x, const CurveEdge& y) {
-      return x.from == y.from && x.to == y.to && x.a == y.a && x.b == y.b;
-    });
-    edges.erase(repeated.begin(), repeated.end());
-    return edges;
+    for (auto& edges : edges_) {
+      std::ranges::sort(edges);
+      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    }
   }
 
   [[nodiscard]] CurveEdge with_arcs(CurveId c, VertexId a, VertexId b) const {
@@ -88,7 +86,7 @@ class Writer {
         if (mesh().has_edge(curve.chain[e], curve.chain[e + 1])) continue;
         for (std::size_t k = 0; k < n; ++k) gone[curve.lines[e * n + k]] = 1;
       }
-      for (const CurveEdge& edge : edges_of(CurveId(c))) {
+      for (const CurveEdge& edge : edges_[c]) {
         const std::size_t e = editor_.reference().edge(CurveId(c), 0.5 * (edge.from + edge.to));
         const VertexId first = curve.chain[e], second = curve.chain[e + 1];
         if ((edge.a == first && edge.b == second) || (edge.a == second && edge.b == first)) continue;
@@ -198,7 +196,7 @@ class Writer {
   void measure_curves() {
     for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
       if (editor_.reference().polyline(CurveId(c)).empty()) continue;
-      for (const CurveEdge& e : edges_of(CurveId(c)))
+      for (const CurveEdge& e : edges_[c])
         note(editor_.reference().sagitta(CurveId(c), e.from, e.to), editor_.length(e.a, e.b),
              midpoint(mesh().position(e.a), mesh().position(e.b)));
     }
@@ -209,8 +207,9 @@ class Writer {
   const Brep& brep_;
   const std::vector<std::uint8_t>& in_zone_;
   GroupSets& groups_;
-  std::vector<Complex::Line> lines_;  // with vertices of the working mesh
-  std::vector<VertexId> id_;          // by vertex of the working mesh, in the result
+  std::vector<std::vector<CurveEdge>> edges_;  // by curve
+  std::vector<Complex::Line> lines_;           // with vertices of the working mesh
+  std::vector<VertexId> id_;                   // by vertex of the working mesh, in the result
   Remeshed result_;
 };
 
