@@ -1,6 +1,7 @@
 #include "merge/stitch.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/quality.hpp"
 
@@ -56,15 +57,45 @@ class Stitcher {
   /// the node was pulled to. Any other vertex is new, whatever it descends from.
   void identify_vertices() {
     out_.node.resize(final_.n_vertices());
-    for (std::size_t v = 0; v < final_.n_vertices(); ++v) {
-      const NodeRef n = final_.node[v];
-      if (!n.valid()) continue;
-      const Corefined::Move* move = move_of(n);
-      if (final_.position[v] == (move != nullptr ? move->to : input_position(n))) out_.node[v] = n;
-    }
+    for (std::size_t v = 0; v < final_.n_vertices(); ++v)
+      if (const NodeRef n = final_.node[v]; n.valid() && final_.position[v] == place_of_node(n)) out_.node[v] = n;
+    index_vertices();
+    give_back_nodes();
+    index_vertices();
+  }
+
+  Vec3 place_of_node(NodeRef n) const {
+    const Corefined::Move* move = move_of(n);
+    return move != nullptr ? move->to : input_position(n);
+  }
+
+  void index_vertices() {
+    vertex_of_.clear();
     for (std::size_t v = 0; v < out_.node.size(); ++v)
       if (out_.node[v].valid()) vertex_of_.emplace_back(out_.node[v], VertexId(v));
     std::sort(vertex_of_.begin(), vertex_of_.end());
+  }
+
+  /// A vertex put exactly where a node was that nothing else claims is that node: its label stays.
+  void give_back_nodes() {
+    using Place = std::array<double, 3>;
+    const auto key = [](Vec3 p) { return Place{p.x, p.y, p.z}; };
+    std::vector<std::pair<Place, NodeRef>> left;  // the base first where several inputs had one
+    for (std::size_t v = 0; v < original_.n_vertices(); ++v) {
+      const NodeRef n = original_.node[v];
+      const bool replaced = std::ranges::binary_search(corefined_.replaced, n, {}, &Corefined::Replaced::node);
+      if (n.valid() && !replaced && !vertex_of(n).valid()) left.emplace_back(key(place_of_node(n)), n);
+    }
+    std::sort(left.begin(), left.end());
+    std::vector<bool> taken(left.size());
+    for (std::size_t v = 0; v < out_.node.size(); ++v) {
+      if (out_.node[v].valid()) continue;
+      const auto it = std::ranges::lower_bound(left, key(final_.position[v]), {}, &std::pair<Place, NodeRef>::first);
+      const auto k = static_cast<std::size_t>(it - left.begin());
+      if (it == left.end() || it->first != key(final_.position[v]) || taken[k]) continue;
+      taken[k] = true;
+      out_.node[v] = it->second;
+    }
   }
 
   VertexId vertex_of(NodeRef n) const {

@@ -27,10 +27,12 @@ struct Stitched {
 ///  (1) A face is kept if it has the nodes of its parent, or those that replaced them, in the same
 ///      orientation; a line, if in the same order. Every other face and line is new; faces and
 ///      lines of the workpiece not kept are removed.
-///  (2) A node of the workpiece that no face or line uses any more is removed, unless other elements use it.
-///  (3) New elements stand in the order of their parents, new nodes in the order of first use.
-///  (4) Nodes of parts that became one with another node are replaced by it.
-///  (5) New elements and new nodes have the group sets of the final complex.
+///  (2) A vertex is the node it descends from if it stands where that stood or was pulled to; also
+///      a vertex put, by chance, exactly where a node was that would be removed otherwise.
+///  (3) A node of the workpiece that no face or line uses any more is removed, unless other elements use it.
+///  (4) New elements stand in the order of their parents, new nodes in the order of first use.
+///  (5) Nodes of parts that became one with another node are replaced by it.
+///  (6) New elements and new nodes have the group sets of the final complex.
 ///
 /// `graft` has its group tables already and receives everything but `joined_nodes`.
 [[nodiscard]] Stitched stitch(Inputs inputs, const Complex& original, const Corefined& corefined,

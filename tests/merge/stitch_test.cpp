@@ -67,6 +67,28 @@ TEST(Stitch, AVertexThatLeftItsPlaceIsANewNodeAndTheOldOneIsRemoved) {
   EXPECT_EQ(m.graft.new_elements.size(), m.graft.removed_elements[0].size());
 }
 
+TEST(Stitch, ANewVertexExactlyWhereANodeWasIsThatNode) {
+  HandMade m({plate()});
+  m.final_complex.node[m.vertex(0, 12).value] = {};  // as if removed, and another put in its place
+  m.stitch_now();
+  EXPECT_TRUE(m.graft.new_nodes.empty());
+  EXPECT_TRUE(m.graft.removed_nodes[0].empty());
+  EXPECT_TRUE(m.graft.new_elements.empty());
+}
+
+TEST(Stitch, OneNodeIsGivenBackToOneVertexOnly) {
+  HandMade m({plate()});
+  const VertexId v = m.vertex(0, 12);
+  m.final_complex.node[v.value] = {};
+  const VertexId twin =
+      m.final_complex.add_vertex(m.final_complex.position[v.value], {}, VertexState::kOpen, GroupSets::kEmpty);
+  const auto face =
+      std::ranges::find_if(m.final_complex.face, [&](const auto& f) { return std::ranges::find(f, v) != f.end(); });
+  std::ranges::replace(*face, v, twin);
+  m.stitch_now();
+  EXPECT_EQ(m.graft.new_nodes.size(), 1u);
+}
+
 TEST(Stitch, ANodeThatNoFaceUsesAnyMoreIsRemoved) {
   HandMade m({plate()});
   const VertexId corner = m.vertex(0, 0);
@@ -104,6 +126,7 @@ TEST(Stitch, APinnedNodeMissingFromTheComplexIsReported) {
   m.remove_face(FaceId(std::size_t{0}));
   const VertexId v = m.vertex(0, 0);
   m.final_complex.node[v.value] = {};
+  m.final_complex.position[v.value].z = 1;
   EXPECT_EQ(m.stitch_now().lost_nodes, (std::vector<NodeRef>{{0, NodeId(std::size_t{0})}}));
 }
 
