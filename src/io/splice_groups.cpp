@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <unordered_set>
+#include <utility>
 
 #include "io/splice_context.hpp"
 #include "io/unv_format.hpp"
@@ -14,10 +14,43 @@ namespace {
 
 constexpr std::int64_t kNewGroupDataset = 2467;
 
+/// A set of labels that is asked far more often than it has members.
+class LabelSet {
+ public:
+  explicit LabelSet(std::vector<std::int64_t> labels = {}) : labels_(std::move(labels)) {
+    if (labels_.empty()) return;
+    std::ranges::sort(labels_);
+    const auto range = static_cast<std::uint64_t>(labels_.back()) - static_cast<std::uint64_t>(labels_.front());
+    if (range >= kMostBits) return;
+    bits_.resize(range + 1);
+    for (const std::int64_t label : labels_) bits_[static_cast<std::size_t>(label - labels_.front())] = true;
+  }
+  [[nodiscard]] bool contains(std::int64_t label) const {
+    if (labels_.empty() || label < labels_.front() || label > labels_.back()) return false;
+    return bits_.empty() ? std::ranges::binary_search(labels_, label)
+                         : bits_[static_cast<std::size_t>(label - labels_.front())];
+  }
+
+ private:
+  static constexpr std::uint64_t kMostBits = std::uint64_t{1} << 26;  // 8 MB
+  std::vector<std::int64_t> labels_;                                  // ascending
+  std::vector<bool> bits_;                                            // from the first label on; empty if too many
+};
+
 /// Labels of removed entities of one input.
 struct Removed {
-  std::unordered_set<std::int64_t> nodes, elements;
+  LabelSet nodes, elements;
+  [[nodiscard]] bool contains(const Entity& e) const {
+    return (e.code == kNodeCode && nodes.contains(e.tag)) || (e.code == kElementCode && elements.contains(e.tag));
+  }
 };
+
+template <class Id>
+std::vector<std::int64_t> labels_of(const std::vector<Id>& ids, const std::vector<std::int64_t>& labels) {
+  std::vector<std::int64_t> of;
+  for (const Id id : ids) of.push_back(labels[id.value]);
+  return of;
+}
 
 /// Members that a merged group gains, labels of the output.
 struct Gained {
@@ -39,9 +72,8 @@ class GroupSplicer {
 
   void run() {
     for (std::uint32_t k = 0; k < s_.n_inputs(); ++k) {
-      for (const NodeId n : s_.graft.removed_nodes[k]) removed_[k].nodes.insert(s_.models[k]->node_label[n.value]);
-      for (const ElementId e : s_.graft.removed_elements[k])
-        removed_[k].elements.insert(s_.models[k]->element_label[e.value]);
+      removed_[k].nodes = LabelSet(labels_of(s_.graft.removed_nodes[k], s_.models[k]->node_label));
+      removed_[k].elements = LabelSet(labels_of(s_.graft.removed_elements[k], s_.models[k]->element_label));
     }
     for (const Group& group : s_.models.front()->groups) numbers_.insert(group.number);
     collect_gained();
@@ -119,7 +151,7 @@ class GroupSplicer {
   [[nodiscard]] bool names_too_much(const MergedGroup::From& from) {
     if (s_.models[from.input]->groups[from.group.value].n_dangling == 0) return false;
     bool found = false;
-    for_each_entity(from, [&](const Entity& e, std::string_view) { found = found || appears(from.input, e); });
+    for_each_entity(from, 0, [&](const Entity& e, std::string_view) { found = found || appears(from.input, e); });
     return found;
   }
 
@@ -132,21 +164,47 @@ class GroupSplicer {
   void rewrite(const MergedGroup::From& from, const MergedGroup* merged, std::size_t g) {
     const Document& d = s_.base();
     const GroupPlace& place = d.groups[from.group.value];
+    const Kept kept = kept_in_front(from);
     std::string entities;
-    const std::int64_t count = merged != nullptr ? write_members(*merged, g, place.layout, entities)
-                                                 : write_members({{}, {from}}, kNothingGained, place.layout, entities);
+    const std::int64_t count = merged != nullptr
+                                   ? write_members(*merged, g, place.layout, kept.count, entities)
+                                   : write_members({{}, {from}}, kNothingGained, place.layout, kept.count, entities);
     TextPieces text;
     const Line header = d.lines.at(place.begin), name = d.lines.at(header.next);
-    add_header(d.lines.view(header), std::nullopt, count, place.layout, text.made());
+    add_header(d.lines.view(header), std::nullopt, static_cast<std::int64_t>(kept.count) + count, place.layout,
+               text.made());
     text.made().append(d.lines.view(name)).append(s_.line_end());
+    text.add_span(kept.lines);
     text.made() += entities;
     s_.edits.replace(place.begin, place.end, std::move(text));
+  }
+
+  /// The full lines of entities before the first one that goes: they need not be written anew.
+  struct Kept {
+    std::uint64_t count = 0;
+    std::string_view lines;
+  };
+  [[nodiscard]] Kept kept_in_front(const MergedGroup::From& from) {
+    const Document& d = s_.base();
+    const GroupPlace& place = d.groups[from.group.value];
+    RegularGroup group;
+    if (!place.regular || s_.models.front()->groups[from.group.value].n_dangling > 0 ||
+        !regular_group(d, place.begin, place.end, place.layout, group))
+      return {};
+    std::uint64_t before = 0;
+    for_each_regular(d, place.layout, group, 0, [&](const Entity& e, std::string_view) {
+      if (removed_[0].contains(e)) return false;
+      return ++before, true;
+    });
+    const std::size_t per_line = entities_per_line(place.layout);
+    const std::size_t line = per_line * place.layout.entity_size * kIntegerWidth + d.line_end.size();
+    return {before / per_line * per_line, d.text().substr(group.entities, before / per_line * line)};
   }
 
   /// A group that only parts have.
   void append_new(const MergedGroup& merged, std::size_t g) {
     std::string entities, header, name = merged.name;
-    const std::int64_t count = write_members(merged, g, layout_, entities);
+    const std::int64_t count = write_members(merged, g, layout_, 0, entities);
     std::int64_t number = 0;
     if (!merged.from.empty()) {
       const MergedGroup::From& from = merged.from.front();
@@ -185,8 +243,10 @@ class GroupSplicer {
 
   static constexpr std::size_t kNothingGained = static_cast<std::size_t>(-1);
 
-  /// Entities of all inputs that stay, in input order, then those gained; returns their number.
-  std::int64_t write_members(const MergedGroup& merged, std::size_t g, GroupLayout layout, std::string& text) {
+  /// Entities of all inputs that stay, in input order, then those gained; returns their number. The
+  /// first `skipped` of the first input are already written.
+  std::int64_t write_members(const MergedGroup& merged, std::size_t g, GroupLayout layout, std::uint64_t skipped,
+                             std::string& text) {
     std::int64_t count = 0;
     EntityWriter writer(layout, s_.line_end(), text);
     bool first = true;
@@ -194,7 +254,7 @@ class GroupSplicer {
       // Another group of the base with this name has a record of its own.
       if (from.input == 0 && !std::exchange(first, false)) continue;
       first = false;
-      count += write_survivors(from, layout, writer);
+      count += write_survivors(from, layout, std::exchange(skipped, 0), writer);
     }
     if (g != kNothingGained) {
       for (const std::int64_t label : gained_[g].nodes) writer.add({kNodeCode, label, 0, 0}), ++count;
@@ -204,16 +264,15 @@ class GroupSplicer {
     return count;
   }
 
-  std::int64_t write_survivors(const MergedGroup::From& from, GroupLayout layout, EntityWriter& writer) {
+  std::int64_t write_survivors(const MergedGroup::From& from, GroupLayout layout, std::uint64_t skipped,
+                               EntityWriter& writer) {
     const std::uint32_t k = from.input;
     const bool dangling = s_.models[k]->groups[from.group.value].n_dangling > 0;
     const bool relabelled = !s_.labels.shifted_nodes[k].empty() || !s_.labels.shifted_elements[k].empty();
     const bool same_layout = s_.documents[k]->groups[from.group.value].layout.entity_size == layout.entity_size;
     std::int64_t count = 0, left_out = 0;
-    for_each_entity(from, [&](Entity e, std::string_view columns) {
-      if ((e.code == kNodeCode && removed_[k].nodes.contains(e.tag)) ||
-          (e.code == kElementCode && removed_[k].elements.contains(e.tag)))
-        return;
+    for_each_entity(from, skipped, [&](Entity e, std::string_view columns) {
+      if (removed_[k].contains(e)) return;
       if (dangling && appears(k, e)) {
         ++left_out;
         return;
@@ -254,40 +313,44 @@ class GroupSplicer {
     return *indices[k];
   }
 
-  /// Calls f(entity, its columns) for each entry; the columns are empty if it has none to copy.
+  /// Calls f(entity, its columns) for each entry but the first `skipped`, which must be whole lines;
+  /// the columns are empty if there are none to copy.
   template <class F>
-  void for_each_entity(const MergedGroup::From& from, F&& f) {
+  void for_each_entity(const MergedGroup::From& from, std::uint64_t skipped, F&& f) {
     const Document& d = *s_.documents[from.input];
     const GroupPlace& place = d.groups[from.group.value];
     RegularGroup regular;
-    if (regular_group(d, place.begin, place.end, place.layout, regular) && regular.end == place.end &&
-        for_each_regular(d, place.layout, regular, [](const Entity&, std::string_view) {})) {
-      for_each_regular(d, place.layout, regular, f);
+    if (place.regular && regular_group(d, place.begin, place.end, place.layout, regular)) {
+      for_each_regular(d, place.layout, regular, skipped, [&](const Entity& e, std::string_view columns) {
+        f(e, columns);
+        return true;
+      });
       return;
     }
     (void)group_record(d.lines, place.begin, d.datasets[place.dataset].body_end, place.layout, record_);
     for (const Entity& e : record_.entities) f(e, std::string_view{});
   }
 
-  /// False if an entry is not in its columns.
+  /// The same for a group that the reader found regular; stops when f returns false.
   template <class F>
-  static bool for_each_regular(const Document& d, GroupLayout layout, const RegularGroup& group, F&& f) {
+  static void for_each_regular(const Document& d, GroupLayout layout, const RegularGroup& group, std::uint64_t skipped,
+                               F&& f) {
     const std::size_t per_line = entities_per_line(layout), width = layout.entity_size * kIntegerWidth;
-    std::size_t at = group.entities;
-    for (std::uint64_t i = 0; i < group.count; ++i) {
+    std::size_t at = group.entities + skipped / per_line * (per_line * width + d.line_end.size());
+    for (std::uint64_t i = skipped; i < group.count; ++i) {
       const char* field = d.lines.text.data() + at;
       Entity e;
-      if (!fast_integer(field, e.code) || !fast_integer(field + kIntegerWidth, e.tag)) return false;
-      if (layout.entity_size == 4 &&
-          (!fast_integer(field + 2 * kIntegerWidth, e.leaf) || !fast_integer(field + 3 * kIntegerWidth, e.component)))
-        return false;
-      f(e, d.lines.text.substr(at, width));
+      fast_integer(field, e.code), fast_integer(field + kIntegerWidth, e.tag);
+      // The reader made sure that nodes and elements have zeros here.
+      if (layout.entity_size == 4 && e.code != kNodeCode && e.code != kElementCode) {
+        std::vector<std::int64_t> values;
+        if (parse_integers(d.lines.text.substr(at, width), values) == Cut::kColumns && values.size() == 4)
+          e.leaf = values[2], e.component = values[3];
+      }
+      if (!f(e, d.lines.text.substr(at, width))) return;
       at += width;
-      if ((i + 1) % per_line != 0 && i + 1 != group.count) continue;
-      if (!d.ends_line(at)) return false;
-      at += d.line_end.size();
+      if ((i + 1) % per_line == 0) at += d.line_end.size();
     }
-    return true;
   }
 
   Splice& s_;

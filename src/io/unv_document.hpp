@@ -44,6 +44,7 @@ struct GroupPlace {
   std::size_t begin = 0, end = 0;
   std::uint32_t dataset = 0;
   GroupLayout layout;
+  bool regular = false;  // all lines are full and in columns, see regular_group
 };
 
 /// A further record with the label of `kept`, which the model does not have twice.

@@ -105,7 +105,7 @@ class RegularReader {
  public:
   RegularReader(Document& d, std::uint32_t dataset, const Resolver& resolve)
       : d_(d), dataset_(d.datasets[dataset]), layout_(group_layout_of(dataset_.number)), resolve_(resolve) {
-    place_.dataset = dataset, place_.layout = layout_;
+    place_.dataset = dataset, place_.layout = layout_, place_.regular = true;
   }
 
   /// False, with nothing changed, if a group is not regular or has entries that make the layout
