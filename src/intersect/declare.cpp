@@ -195,7 +195,7 @@ void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carri
     m.add(symbol);
     GroupSetId& groups = m.complex.vertex_groups[l.vertex.value];
     groups = m.groups.unite(groups, m.groups_on(1 - s, symbol.on[1 - s]));
-    if (s == 0 || m.at(l.vertex) == l.point) continue;
+    if (s == 0 || l.distance <= m.rule.noise()) continue;
     m.moved.emplace_back(l.vertex, m.at(l.vertex));
     m.complex.position[l.vertex.value] = l.point;
   }
