@@ -1,6 +1,7 @@
 #include "io/splice_text.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "io/unv_format.hpp"
 
@@ -71,10 +72,7 @@ TextEdits::Output TextEdits::apply(std::string_view base) {
   Output output;
   std::size_t at = 0;
   for (const Edit& edit : edits_) {
-    if (edit.begin > at) {
-      output.pieces.push_back(base.substr(at, edit.begin - at));
-      output.untouched += edit.begin - at;
-    }
+    if (edit.begin > at) output.pieces.push_back(base.substr(at, edit.begin - at));
     if (edit.text != kNoText) {
       const auto& pieces = texts_[edit.text].pieces();
       output.pieces.insert(output.pieces.end(), pieces.begin(), pieces.end());
@@ -82,7 +80,10 @@ TextEdits::Output TextEdits::apply(std::string_view base) {
     at = std::max(at, edit.end);
   }
   output.pieces.push_back(base.substr(at));
-  output.untouched += base.size() - at;
+  const std::less_equal<const char*> in_order;
+  for (const std::string_view piece : output.pieces)
+    if (in_order(base.data(), piece.data()) && in_order(piece.data() + piece.size(), base.data() + base.size()))
+      output.untouched += piece.size();
   return output;
 }
 
