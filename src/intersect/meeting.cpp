@@ -9,8 +9,11 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kLargestSnap = 0.25;           // of the local edge length, whatever tolerance is asked for
-constexpr double kRounding = 1.0 / (1L << 36);  // of the largest coordinate: a thousand times what it costs
+constexpr double kLargestSnap = 0.25;  // of the local edge length, whatever tolerance is asked for
+// Shares of the largest coordinate. What arithmetic on coordinates costs is below the first; welding
+// nearer than the second would decide by rounding.
+constexpr double kNoise = 1.0 / (1L << 49);
+constexpr double kRounding = 1.0 / (1L << 36);
 
 bool contains(const std::array<VertexId, 3>& corners, std::uint32_t v) {
   return corners[0].value == v || corners[1].value == v || corners[2].value == v;
@@ -22,7 +25,7 @@ SnapRule::SnapRule(const Complex& complex, const CorefineOptions& options, bool 
     : options_(options), features_(features) {
   double largest = 0;
   for (const Vec3 p : complex.position) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  rounding_ = kRounding * largest;
+  rounding_ = kRounding * largest, noise_ = kNoise * largest;
 }
 
 Snap SnapRule::at(double size) const {

@@ -46,11 +46,13 @@ class SnapRule {
   SnapRule(const Complex& complex, const CorefineOptions& options, bool features);
   /// `size`: the smaller of the mean edge lengths of the two input faces.
   [[nodiscard]] Snap at(double size) const;
+  /// A vertex nearer than this to where it should be is there.
+  [[nodiscard]] double noise() const { return noise_; }
 
  private:
   CorefineOptions options_;
   bool features_;
-  double rounding_;
+  double rounding_, noise_;
 };
 
 struct Meeting {
