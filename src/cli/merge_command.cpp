@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "cli/commands.hpp"
 #include "cli/formats.hpp"
@@ -107,12 +108,14 @@ ExitCode run(const MergeArguments& arguments) {
   Report& report = merged->report;
   print_warnings(report.warnings, arguments.common.talk);
   for (const Error& promise : report.broken_promises) print_error(promise);
+  const std::size_t told = report.warnings.size();
 
   show("writing " + printable(arguments.output), kReadShare + kMergeShare);
   complete(report, *inputs, arguments, watch);
   const auto written = write(arguments, *inputs, *merged);
   progress.clear();
   if (!written) return failed(written.error());
+  print_warnings(std::span(report.warnings).subspan(told), arguments.common.talk);
   if (!quiet) print_summary(report, arguments, *written);
   if (!report.broken_promises.empty()) return kPromiseNotMet;
   return parts_apart(report) ? kPartsDoNotMeet : kDone;
