@@ -71,6 +71,12 @@ struct JunctionFault {
 ///  (4) The group set of a new vertex is, for each component it lies on, the intersection of the
 ///      group sets of the vertices of the edge or face it lies on; united over components.
 ///
+///  (5) Vertices of the input keep their ids; one that was replaced stays behind without faces. The
+///      pieces of a face stand where the face stood.
+///  (6) The tolerance counts up to a quarter of the local edge length. Where details smaller than it
+///      stand in the way (two edges of one component nearer to each other than the tolerance), the
+///      gap at that face is left open instead.
+///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
 /// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),
 /// kDegenerateFace and kDuplicateFace (near the junction), kJunctionNotResolved.
