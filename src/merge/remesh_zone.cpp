@@ -1,6 +1,9 @@
 #include "merge/remesh_zone.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "geometry/quality.hpp"
 #include "merge/quality_summary.hpp"
@@ -26,6 +29,39 @@ double worst_mendable(const Remeshed& remeshed) {
   return worst;
 }
 
+double mean_quality(const Remeshed& remeshed) {
+  double sum = 0, count = 0;
+  for (std::size_t f = 0; f < remeshed.in_zone.size(); ++f)
+    if (remeshed.in_zone[f]) sum += aspect_ratio(remeshed.complex.corners(FaceId(f))), ++count;
+  return count > 0 ? sum / count : 1;
+}
+
+/// Largest ratio of the mean edge lengths of two inputs at the junction.
+double size_ratio(const Complex& original, const Corefined& corefined) {
+  std::vector<ElementRef> touched;
+  for (std::size_t f = 0; f < corefined.touched.size(); ++f)
+    if (corefined.touched[f]) touched.push_back(corefined.complex.parent[f]);
+  std::ranges::sort(touched);
+  std::map<std::uint32_t, std::pair<double, double>> length;  // by component: sum and count
+  for (std::size_t f = 0; f < original.n_faces(); ++f)
+    if (std::ranges::binary_search(touched, original.parent[f])) {
+      auto& [sum, count] = length[original.component[f]];
+      sum += mean_edge_length(original.corners(FaceId(f))), ++count;
+    }
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const auto& [component, l] : length) {
+    least = std::min(least, l.first / l.second);
+    most = std::max(most, l.first / l.second);
+  }
+  return most / least;
+}
+
+/// Faces to remesh and what became of them.
+struct Attempt {
+  Zone zone;
+  Remeshed remeshed;
+};
+
 }  // namespace
 
 RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, GroupSets& groups,
@@ -38,16 +74,30 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   RemeshOptions remesh_options;
   remesh_options.min_quality = options.min_quality;
 
-  Zone zone = neighbourhoods(corefined, brep, size, options.bandwidth);
-  RemeshedZone best{remesh(complex, brep, size, zone.in_zone, groups, remesh_options), zone.bandwidth, 0};
+  const auto attempt = [&](Zone zone) {
+    Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
+    return Attempt{std::move(zone), std::move(remeshed)};
+  };
+  Attempt best = attempt(neighbourhoods(corefined, brep, size, options.bandwidth));
+  int widened = 0;
+
+  const double wanted = size_ratio(original, corefined) < limits.alike ? limits.mean_alike : limits.mean_graded;
+  for (int more = 1; !options.bandwidth && more <= limits.max_more && mean_quality(best.remeshed) < wanted; ++more) {
+    Attempt wider = attempt(neighbourhoods(corefined, brep, size, options.bandwidth, more));
+    if (mean_quality(wider.remeshed) <= mean_quality(best.remeshed)) break;
+    if (worst_mendable(wider.remeshed) < worst_mendable(best.remeshed)) break;
+    best = std::move(wider), ++widened;
+  }
+
+  Zone zone = best.zone;
   std::vector<Vec3> places = mendable_places(best.remeshed);
   for (int round = 1; round <= limits.max_rounds && !places.empty(); ++round) {
     if (!widen(zone, corefined, places, limits.max_neighbourhoods)) break;
-    Remeshed wider = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
-    places = mendable_places(wider);
-    if (worst_mendable(wider) > worst_mendable(best.remeshed)) best = {std::move(wider), zone.bandwidth, round};
+    Attempt wider = attempt(zone);
+    places = mendable_places(wider.remeshed);
+    if (worst_mendable(wider.remeshed) > worst_mendable(best.remeshed)) best = std::move(wider), ++widened;
   }
-  return best;
+  return {std::move(best.remeshed), best.zone.bandwidth, widened};
 }
 
 }  // namespace meshgraft

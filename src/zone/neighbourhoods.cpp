@@ -12,7 +12,7 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kLeastAutomatic = 2;  // room for one row of new nodes on each side of the line
+constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each side of the line
 
 std::size_t n_components(const Complex& complex) {
   std::uint32_t last = 0;
@@ -118,7 +118,8 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
 
 }  // namespace
 
-Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& size, std::optional<int> bandwidth) {
+Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& size, std::optional<int> bandwidth,
+                    int more) {
   const InputFaces inputs(corefined);
   std::vector<int> least;
   if (!bandwidth) least = automatic(corefined, inputs);
@@ -128,7 +129,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {
     if (!inputs.touched(i)) continue;
     const std::uint32_t c = inputs.component(i);
-    left[i] = bandwidth ? *bandwidth : std::max(least[c], transition(inputs, i, size));
+    left[i] = bandwidth ? *bandwidth : std::max(least[c], transition(inputs, i, size)) + more;
     zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
   }
   spread(left, inputs);

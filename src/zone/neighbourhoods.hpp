@@ -22,14 +22,16 @@ struct Zone {
 /// T-lines too). N is `bandwidth`, or automatic, mesh by mesh:
 ///
 ///   N = round(max(l1a, l2a) / min(l1a, l2a)) on the finer mesh, 1 on the coarser (paper 5.4);
-///   at least 2: departs from the second rounding rule of 5.4, which gives 1 or 2 where the meshes are alike;
+///   at least 3: departs from the second rounding rule of 5.4, which gives 1 or 2 where the meshes are alike
+///   and leaves no row of nodes that is free on both sides;
 ///   and around each touched face so many that the change of size from l_a to its own, by `gradation`
-///   per length, fits in, plus one (beyond the paper).
+///   per length, fits in, plus one (beyond the paper);
+///   and `more` of them.
 ///
 /// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
 /// and never if one of them has a kFrozen vertex.
 [[nodiscard]] Zone neighbourhoods(const Corefined& corefined, const Brep& brep, const SizeField& size,
-                                  std::optional<int> bandwidth);
+                                  std::optional<int> bandwidth, int more = 0);
 
 /// Grows the zone by one neighbourhood around each of `places`, where the zone ends nearest to it, at most
 /// to `limit` neighbourhoods from the junction. Returns whether anything was added.

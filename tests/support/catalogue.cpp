@@ -9,15 +9,19 @@
 namespace meshgraft::scenes {
 namespace {
 
-constexpr double kSize = 0.1;        // edge length of the bases
-constexpr double kGraded = 0.85;     // mean Q asked for where sizes grade
-constexpr double kIrregular = 0.15;  // jitter of meshes that are not grids
+constexpr double kSize = 0.1;           // edge length of the bases
+constexpr double kGraded = 0.85;        // mean Q asked for where sizes grade
+constexpr double kRow = 12 * 2.0 / 23;  // y of a row of nodes of the wall, 23 rows of kSize triangles high
+constexpr double kIrregular = 0.15;     // jitter of meshes that are not grids
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 Model wall(double size = kSize, double jitter = kIrregular) {
-  return plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, size, "WALL", jitter);
+  return staggered_plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, size, "WALL", jitter);
 }
+
+/// Two triangles in each square cell, as structured meshers write.
+Model grid_wall() { return plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kSize, "WALL"); }
 
 /// A stiffener on the line y = y0 of the wall from x0 to x1, from `below` under it to `above` over
 /// it, leaning by `degrees` to the wall.
@@ -25,7 +29,7 @@ Model stiffener(double x0, double x1, double y0, double below, double above, dou
                 const std::string& group = "STIFFENER") {
   const Vec3 up{0, std::cos(radians(degrees)), std::sin(radians(degrees))};
   const Vec3 origin = Vec3{x0, y0, 0} - below * up;
-  return plate(origin, {x1 - x0, 0, 0}, (below + above) * up, size, group, kIrregular);
+  return staggered_plate(origin, {x1 - x0, 0, 0}, (below + above) * up, size, group, kIrregular);
 }
 
 Merge merge_of(std::string name, Model base, Model part, double mean_q = 0.9) {
@@ -57,39 +61,39 @@ void add_sizes(std::vector<Merge>& all) {
 
 void add_places(std::vector<Merge>& all) {
   all.push_back(merge_of("across_whole_wall", wall(), stiffener(-0.27, 2.31, 0.97, 0.31, 0.43)));
-  all.push_back(merge_of("across_grid_off_grid", wall(kSize, 0), stiffener(-0.27, 2.31, 0.97, 0.31, 0.43)));
-  all.push_back(
-      merge_of("on_grid_line", wall(kSize, 0), plate({0.3, 1, -0.3}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER")));
-  Model ulp = plate({0.3, 1, -0.3}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER");
-  for (Vec3& p : ulp.position) p.y = std::nextafter(1.0, p.x < 0.9 ? 0.0 : 2.0);
+  all.push_back(merge_of("across_grid_off_grid", grid_wall(), stiffener(-0.27, 2.31, 0.97, 0.31, 0.43)));
+  all.push_back(merge_of("on_grid_line", wall(kSize, 0),
+                         staggered_plate({0.3, kRow, -0.3}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER")));
+  Model ulp = staggered_plate({0.3, kRow, -0.3}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER");
+  for (Vec3& p : ulp.position) p.y = std::nextafter(kRow, p.x < 0.9 ? 0.0 : 2.0);
   all.push_back(merge_of("one_ulp_off_grid_line", wall(kSize, 0), ulp));
-  all.push_back(
-      merge_of("sharing_nodes", wall(kSize, 0), plate({0.3, 1, 0}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER")));
+  all.push_back(merge_of("sharing_nodes", wall(kSize, 0),
+                         staggered_plate({0.3, kRow, 0}, {1.2, 0, 0}, {0, 0, 0.7}, kSize, "STIFFENER")));
   all.push_back(merge_of("to_free_edge", wall(), stiffener(0.61, 2, 0.97, 0, 0.43)));
   all.push_back(merge_of("along_free_edge", wall(), stiffener(0.33, 1.61, 0, 0, 0.43)));
   all.push_back(merge_of("on_corner", wall(), stiffener(1.17, 2, 0, 0, 0.43)));
   all.push_back(merge_of("beside_free_edge", wall(), stiffener(0.33, 1.61, 0.03, 0.31, 0.43)));
-  all.push_back(
-      merge_of("butt_joint", wall(), plate({2, 0.2, 0}, {1, 0, 0}, {0, 1.3, 0}, 0.085, "STRAKE", kIrregular)));
+  all.push_back(merge_of("butt_joint", wall(),
+                         staggered_plate({2, 0.2, 0}, {1, 0, 0}, {0, 1.3, 0}, 0.085, "STRAKE", kIrregular)));
 }
 
 /// A wall with a rib on the line y = 1 already: a T-line of the base.
 Model ribbed_wall() {
-  const std::array<Model, 3> pieces{plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
-                                    plate({0, 1, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
-                                    plate({0, 1, 0}, {2, 0, 0}, {0, 0, 0.4}, kSize, "RIB")};
+  const std::array<Model, 3> pieces{staggered_plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
+                                    staggered_plate({0, 1, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
+                                    staggered_plate({0, 1, 0}, {2, 0, 0}, {0, 0, 0.4}, kSize, "RIB")};
   return welded(together(pieces));
 }
 
 void add_t_lines(std::vector<Merge>& all) {
   const auto across = [](double y0, double y1, double below, double above) {
-    return plate({0.87, y0, -below}, {0, y1 - y0, 0}, {0, 0, below + above}, kSize, "STIFFENER", kIrregular);
+    return staggered_plate({0.87, y0, -below}, {0, y1 - y0, 0}, {0, 0, below + above}, kSize, "STIFFENER", kIrregular);
   };
   all.push_back(merge_of("across_t_line", ribbed_wall(), across(0.33, 1.71, 0.31, 0.63)));
   all.push_back(merge_of("ending_across_t_line", ribbed_wall(), across(0.33, 1.71, 0, 0.3)));
   all.push_back(merge_of("up_to_t_line", ribbed_wall(), across(0.33, 1, 0, 0.3)));
   all.push_back(merge_of("on_t_line", ribbed_wall(),
-                         plate({0.33, 1, -0.4}, {1.2, 0, 0}, {0, 0, 0.4}, 0.09, "STIFFENER", kIrregular)));
+                         staggered_plate({0.33, 1, -0.4}, {1.2, 0, 0}, {0, 0, 0.4}, 0.09, "STIFFENER", kIrregular)));
   all.push_back(merge_of("beside_t_line", ribbed_wall(), stiffener(0.33, 1.61, 1.04, 0, 0.43)));
 }
 
@@ -112,13 +116,13 @@ void add_gaps(std::vector<Merge>& all) {
 
 void add_curved(std::vector<Merge>& all) {
   all.push_back(merge_of("sphere_and_plate", sphere({0, 0, 0}, 1, 10),
-                         plate({-1.6, -1.6, 0.23}, {3.2, 0, 0}, {0, 3.2, 0}, 0.11, "PLATE", kIrregular)));
+                         staggered_plate({-1.6, -1.6, 0.23}, {3.2, 0, 0}, {0, 3.2, 0}, 0.11, "PLATE", kIrregular)));
   all.push_back(merge_of("sphere_and_equator", sphere({0, 0, 0}, 1, 10),
-                         plate({-1.6, -1.6, 0}, {3.2, 0, 0}, {0, 3.2, 0}, 0.11, "PLATE", kIrregular)));
+                         staggered_plate({-1.6, -1.6, 0}, {3.2, 0, 0}, {0, 3.2, 0}, 0.11, "PLATE", kIrregular)));
   all.push_back(merge_of("cylinder_and_rib", cylinder({0, 0, 0}, {0, 0, 2}, 0.7, kSize),
-                         plate({0.45, 0.11, 0.31}, {0.7, 0, 0}, {0, 0, 1.3}, kSize, "RIB", kIrregular)));
+                         staggered_plate({0.45, 0.11, 0.31}, {0.7, 0, 0}, {0, 0, 1.3}, kSize, "RIB", kIrregular)));
   all.push_back(merge_of("cylinder_and_flange", cylinder({0, 0, 0}, {0, 0, 2}, 0.7, kSize),
-                         plate({-1.1, -1.1, 0.93}, {2.2, 0, 0}, {0, 2.2, 0}, kSize, "FLANGE", kIrregular)));
+                         staggered_plate({-1.1, -1.1, 0.93}, {2.2, 0, 0}, {0, 2.2, 0}, kSize, "FLANGE", kIrregular)));
   all.push_back(merge_of("two_pipes", cylinder({0, 0, 0}, {0, 0, 3}, 0.7, kSize, "RUN"),
                          cylinder({0.05, 0.1, 1.4}, {1.8, 0.1, 1.6}, 0.4, 0.08, "BRANCH")));
   all.push_back(merge_of("coarse_pipe_fine_branch", cylinder({0, 0, 0}, {0, 0, 3}, 0.7, 0.12, "RUN"),
@@ -134,7 +138,7 @@ void add_many(std::vector<Merge>& all) {
   all.push_back(merge_of("five_places", wall(), surface(wave)));
 
   Merge crossing = merge_of("two_parts_crossing", wall(), stiffener(0.33, 1.61, 0.97, 0.31, 0.43));
-  crossing.parts.push_back(plate({0.91, 0.4, 0}, {0, 1.2, 0}, {0, 0, 0.35}, 0.09, "SECOND", kIrregular));
+  crossing.parts.push_back(staggered_plate({0.91, 0.4, 0}, {0, 1.2, 0}, {0, 0, 0.35}, 0.09, "SECOND", kIrregular));
   all.push_back(crossing);
 
   Merge miss = merge_of("miss", wall(), moved(stiffener(0.33, 1.61, 0.97, 0, 0.43), [](Vec3 p) {

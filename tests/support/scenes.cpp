@@ -53,6 +53,37 @@ Model plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group, 
   return surface(s);
 }
 
+Model staggered_plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group, double jitter) {
+  const std::size_t columns = cells(norm(u), size);
+  const std::size_t rows = cells(norm(v), size * std::numbers::sqrt3 / 2);
+  ModelBuilder builder;
+  std::mt19937 random(1);
+  // Odd rows are shifted by half a cell, with a node at each end.
+  std::vector<std::vector<NodeId>> row(rows + 1);
+  for (std::size_t j = 0; j <= rows; ++j) {
+    const bool odd = j % 2 == 1;
+    const std::size_t n = columns + (odd ? 2 : 1);
+    for (std::size_t i = 0; i < n; ++i) {
+      double a = static_cast<double>(i);
+      if (odd) a = i == 0 ? 0 : i + 1 == n ? static_cast<double>(columns) : a - 0.5;
+      const bool inner = j > 0 && j < rows && i > 0 && i + 1 < n;
+      const double da = jitter * 2 * centred(random), db = jitter * 2 * centred(random);
+      row[j].push_back(builder.add_node(origin + (a + (inner ? da : 0)) / static_cast<double>(columns) * u +
+                                        (static_cast<double>(j) + (inner ? db : 0)) / static_cast<double>(rows) * v));
+    }
+  }
+  for (std::size_t j = 0; j < rows; ++j) {
+    const bool odd = j % 2 == 1;
+    const auto &even_row = row[odd ? j + 1 : j], &odd_row = row[odd ? j : j + 1];
+    const auto add_face = [&](NodeId a, NodeId b, NodeId c) {
+      builder.add_to_group(group, odd ? builder.add_face(a, c, b) : builder.add_face(a, b, c));
+    };
+    for (std::size_t i = 0; i <= columns; ++i) add_face(even_row[i], odd_row[i + 1], odd_row[i]);
+    for (std::size_t i = 0; i < columns; ++i) add_face(even_row[i], even_row[i + 1], odd_row[i + 1]);
+  }
+  return builder.build(group);
+}
+
 Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group) {
   const Vec3 axis = to - from;
   const Vec3 w = normalized(axis);

@@ -26,6 +26,10 @@ struct Surface {
 [[nodiscard]] Model plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group = "PLATE",
                           double jitter = 0);
 
+/// The same of nearly equilateral triangles, in rows along u, as a mesher would leave it.
+[[nodiscard]] Model staggered_plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group = "PLATE",
+                                    double jitter = 0);
+
 /// Open cylinder around the axis from `from` to `to`.
 [[nodiscard]] Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group = "CYLINDER");
 
