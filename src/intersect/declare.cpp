@@ -24,10 +24,9 @@ bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap) {
 
 /// Vertices that both sides have already (from an earlier round).
 void declare_shared(Meeting& m) {
-  for (const FacePair& p : m.pairs)
-    for (const VertexId x : m.side[0].corners(p[0]))
-      for (const VertexId y : m.side[1].corners(p[1]))
-        if (x == y && !m.has_symbol(0, x)) m.add({x, {vertex(x), vertex(y)}});
+  for (std::size_t i = 0; i < m.symbol_of[0].size(); ++i)
+    if (const VertexId v(i); !m.side[0].faces_at(v).empty() && !m.side[1].faces_at(v).empty())
+      m.add({v, {vertex(v), vertex(v)}});
 }
 
 /// A gap is closed across it, not along a surface: things that lie beside each other on one surface

@@ -113,12 +113,19 @@ BoxedFaces faces_in(const Complex& complex, std::span<const FaceId> faces, const
   return found;
 }
 
-/// True if one triangle is farther than `gap` on one side of the plane of the other.
-bool is_beside(const Triangle& t, const Triangle& plane, double gap) {
+/// True if face f, apart from vertices that it shares with g, is farther than `gap` on one side of the
+/// plane of g: then they meet in those vertices only.
+bool is_beside(const Complex& complex, FaceId f, FaceId g, double gap) {
+  const Triangle plane = complex.corners(g);
   const Vec3 n = unit_normal(plane);
   if (n == Vec3{}) return false;
-  const double a = dot(n, t[0] - plane[0]), b = dot(n, t[1] - plane[0]), c = dot(n, t[2] - plane[0]);
-  return std::min({a, b, c}) > gap || std::max({a, b, c}) < -gap;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const VertexId v : complex.face[f.value]) {
+    if (contains(complex.face[g.value], v.value)) continue;
+    const double height = dot(n, complex.position[v.value] - plane[0]);
+    low = std::min(low, height), high = std::max(high, height);
+  }
+  return low > gap || high < -gap;
 }
 
 }  // namespace
@@ -135,9 +142,8 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
   for (std::size_t i = 0; i < a.faces.size(); ++i)
     tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
       const FaceId f = a.faces[i], g = b.faces[j];
-      const Triangle t = complex.corners(f), u = complex.corners(g);
       const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).feature;
-      if (!is_beside(t, u, gap) && !is_beside(u, t, gap)) pairs.push_back({f, g});
+      if (!is_beside(complex, f, g, gap) && !is_beside(complex, g, f, gap)) pairs.push_back({f, g});
     });
   std::sort(pairs.begin(), pairs.end());
   return pairs;

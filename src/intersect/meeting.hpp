@@ -89,7 +89,8 @@ struct Meeting {
   [[nodiscard]] GroupSetId groups_on(std::size_t s, const Carrier& on);
 };
 
-/// Pairs of faces of `first` and `second` (ascending) that come nearer than twice their snap length.
+/// Pairs of faces of `first` and `second` (ascending) that come nearer than twice their snap length
+/// elsewhere than in vertices that they share.
 std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<const FaceId> first,
                                               std::span<const FaceId> second, std::span<const double> size,
                                               const SnapRule& rule);
