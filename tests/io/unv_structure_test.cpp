@@ -97,7 +97,7 @@ TEST(UnvStructure, ByteOrderMarkControlZAndZeros) {
 }
 
 TEST(UnvStructure, BinaryDatasetIsSkippedByItsNumberOfBytes) {
-  std::string bytes = std::string("\0\x01\n    -1\n  2411\n", 19) + "\n    -1\n    -1\n  2412\n";
+  std::string bytes = std::string("\0\x01\n    -1\n  2411\n", 17) + "\n    -1\n    -1\n  2412\n";
   const std::string count = std::to_string(bytes.size());
   std::string header = "    58b     1     2           2" + std::string(12 - count.size(), ' ') + count +
                        "     0     0           0           0\n";
