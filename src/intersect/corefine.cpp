@@ -12,7 +12,8 @@ namespace meshgraft {
 namespace {
 
 /// Bending side 1 to side 0 by up to the tolerance can make it meet side 0 anew. Later rounds look
-/// at what is there then, without tolerance, until nothing new is found.
+/// at what is there then, without tolerance, until nothing new is found. Where no gap was closed,
+/// nothing was bent and one round is enough.
 constexpr int kMaxRounds = 6;
 constexpr int kMaxAttempts = 16;  // faces at which gaps are given up, per component
 
@@ -94,6 +95,7 @@ class Corefiner {
     }
     if (auto doubled = find_doubled_face(complex_, marks_.active))
       return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
+    settled_ = !m.has_closed_gap;
     return std::nullopt;
   }
 

@@ -87,6 +87,7 @@ void declare_vertex_on_vertex(Meeting& m) {
   for (const auto& [d, x, y] : near_vertices(m)) {
     if (m.has_symbol(1, y)) continue;
     if (m.has_symbol(0, x) && would_collapse(m, x, y)) continue;
+    m.has_closed_gap |= d > m.rule.noise();
     replace(m, x, y);
   }
 }
@@ -191,6 +192,7 @@ void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carri
     symbol.on[s] = vertex(l.vertex);
     symbol.on[1 - s] = {kind, l.on, l.t};
     if (l.is_gap && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
+    m.has_closed_gap |= l.is_gap;
     m.add(symbol);
     GroupSetId& groups = m.complex.vertex_groups[l.vertex.value];
     groups = m.groups.unite(groups, m.groups_on(1 - s, symbol.on[1 - s]));
@@ -279,6 +281,7 @@ void declare_vertices(Meeting& m) {
 void declare_edges(Meeting& m) {
   for (const EdgePair& p : passing_edges(m)) {
     if (p.is_gap && is_doubtful(m, p)) continue;
+    m.has_closed_gap |= p.is_gap;
     const std::array<Carrier, 2> on{Carrier{Carrier::kEdge, p.edge[0], p.t[0]},
                                     Carrier{Carrier::kEdge, p.edge[1], p.t[1]}};
     m.add({m.new_vertex(p.point, on), on});

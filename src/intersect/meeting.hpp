@@ -69,6 +69,7 @@ struct Meeting {
   std::set<std::array<LocalEdge, 2>> crossed_edges;     // pairs of edges with a symbol inside both
   std::vector<std::array<VertexId, 2>> replaced;        // vertex of side 1, of side 0 that it became
   std::vector<std::pair<VertexId, Vec3>> moved;         // vertex of side 1, where it was
+  bool has_closed_gap = false;                          // side 1 bends by more than the weld length
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
