@@ -5,7 +5,7 @@
 namespace meshgraft::unv {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 20;  // bytes between two known line numbers
+constexpr std::size_t kBlock = std::size_t{1} << 16;  // bytes between two known line numbers
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr char kControlZ = 0x1A;
 
