@@ -1,5 +1,6 @@
 // meshgraft_bench PROGRAM DIRECTORY: speed and memory on scenes that grow; DIRECTORY receives files.
 #include <benchmark/benchmark.h>
+#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -132,11 +133,8 @@ std::pair<int, std::uint64_t> run(const std::vector<std::string>& arguments) {
   std::vector<char*> argv;
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
-  const pid_t child = vfork();
-  if (child == 0) {
-    execvp(argv[0], argv.data());
-    _exit(127);
-  }
+  pid_t child = 0;
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return {-1, 0};
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
