@@ -1,4 +1,6 @@
 // Base + graft as text: what is not named in the graft keeps its bytes.
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "io/grafts.hpp"
@@ -248,7 +250,9 @@ TEST(UnvSplice, DatasetsOfPartsAreCopiedOrPutAside) {
   EXPECT_EQ(fate(2), "kept");
 
   shift_all(merged, 1, part, 100);
-  const auto path = (std::filesystem::temp_directory_path() / "meshgraft-side-file-test.unv").string();
+  const auto path =
+      (std::filesystem::temp_directory_path() / ("meshgraft-side-file-" + std::to_string(::getpid()) + ".unv"))
+          .string();
   Report shifted;
   ASSERT_TRUE(write_unv(base, {&part, 1}, merged, path, shifted));
   EXPECT_EQ(shifted.datasets[2].fate, "side file");

@@ -1,4 +1,6 @@
 // New files, and files that appear whole or not at all.
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,9 +18,8 @@ namespace fs = std::filesystem;
 class Folder {
  public:
   Folder()
-      : path_(fs::temp_directory_path() /
-              ("meshgraft-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "-" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
+      : path_(fs::temp_directory_path() / ("meshgraft-" + std::to_string(::getpid()) + "-" +
+                                           ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
