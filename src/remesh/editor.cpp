@@ -9,7 +9,7 @@ namespace meshgraft {
 namespace {
 
 constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
-constexpr double kSizeWeight = 0.3;   // of the squared logarithm of the relative size in the cost
+constexpr double kSizeWeight = 0.1;   // of the squared logarithm of the relative size in the cost
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
 constexpr double kPoorSlack = 2;      // and faces that replace bad ones the deviation by this
 

@@ -13,6 +13,7 @@ namespace meshgraft {
 namespace {
 
 constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each side of the line
+constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
 
 std::size_t n_components(const Complex& complex) {
   std::uint32_t last = 0;
@@ -129,7 +130,9 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {
     if (!inputs.touched(i)) continue;
     const std::uint32_t c = inputs.component(i);
-    left[i] = bandwidth ? *bandwidth : std::max(least[c], transition(inputs, i, size)) + more;
+    const int room = transition(inputs, i, size);
+    if (!bandwidth && inputs.pieces(i).size() == 1 && room <= kSettled) continue;
+    left[i] = bandwidth ? *bandwidth : std::max(least[c], room) + more;
     zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
   }
   spread(left, inputs);

@@ -27,6 +27,8 @@ struct Zone {
 ///   and around each touched face so many that the change of size from l_a to its own, by `gradation`
 ///   per length, fits in, plus one (beyond the paper);
 ///   and `more` of them.
+///   Touched faces that were not cut count only if they are of the wrong size: where meshes share
+///   their nodes already nothing needs to change (departs from 5.4, which starts from all that meet).
 ///
 /// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
 /// and never if one of them has a kFrozen vertex.

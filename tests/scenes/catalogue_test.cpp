@@ -68,7 +68,7 @@ TEST_P(Catalogue, MergesAndKeepsThePromises) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Catalogue, testing::Range(std::size_t{0}, all_scenes().size()),
-                         [](const auto& info) { return all_scenes()[info.param].name; });
+                         [](const auto& scene) { return all_scenes()[scene.param].name; });
 
 }  // namespace
 }  // namespace meshgraft

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "complexes.hpp"
@@ -68,11 +69,11 @@ TEST(Neighbourhoods, AGivenBandwidthIsTakenOnAllMeshes) {
   }
 }
 
-TEST(Neighbourhoods, AlikeMeshesGiveTwoEach) {
+TEST(Neighbourhoods, MeshesThatShareTheirNodesAreLeftAlone) {
   const Scene s = two_plates();
   const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
-  EXPECT_EQ(zone.bandwidth, (std::vector{2, 2}));
-  EXPECT_EQ(zone.in_zone, brute_force(s.corefined, 2));
+  EXPECT_EQ(zone.bandwidth, (std::vector{0, 0}));
+  EXPECT_EQ(std::ranges::count(zone.in_zone, 1), 0);
 }
 
 TEST(Neighbourhoods, TheChangeOfSizeFitsIn) {
@@ -114,22 +115,38 @@ void cut(Corefined& c, FaceId f) {
   c.touched.resize(x.n_faces(), c.touched[f.value]);
 }
 
+/// The same scene with some of its faces cut.
+Scene with_cuts(const Scene& s, const std::function<bool(std::size_t)>& is_cut) {
+  Scene result = s;
+  const std::size_t m = s.corefined.complex.n_faces();
+  for (std::size_t f = 0; f < m; ++f)
+    if (is_cut(f)) cut(result.corefined, FaceId(f));
+  const Complex& complex = result.corefined.complex;
+  result.brep = read_brep(complex, result.corefined.junction_edges, {}, result.groups);
+  result.size = SizeField(s.original, complex, result.brep, {});
+  return result;
+}
+
+TEST(Neighbourhoods, AlikeMeshesGiveThreeEachAndMoreOnRequest) {
+  const Scene whole = two_plates();
+  const Scene s = with_cuts(whole, [&](std::size_t f) { return whole.corefined.touched[f] != 0; });
+  for (const int more : {0, 1}) {
+    const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt, more);
+    EXPECT_EQ(zone.bandwidth, (std::vector{3 + more, 3 + more}));
+    EXPECT_EQ(zone.in_zone, brute_force(s.corefined, 3 + more));
+  }
+}
+
 TEST(Neighbourhoods, PiecesOfAFaceGoTogetherAndCountAsOne) {
-  Scene s = two_plates();
-  Corefined pieces = s.corefined;
-  const std::size_t m = pieces.complex.n_faces();
-  for (std::size_t f = 0; f < m; f += 3) cut(pieces, FaceId(f));
-  GroupSets groups = s.groups;
-  const Brep brep = read_brep(pieces.complex, pieces.junction_edges, {}, groups);
-  const SizeField size(s.original, pieces.complex, brep, {});
-  for (const std::optional<int> n : {std::optional<int>(), std::optional<int>(3)}) {
-    const Zone whole = neighbourhoods(s.corefined, s.brep, s.size, n);
-    const Zone cut_up = neighbourhoods(pieces, brep, size, n);
-    EXPECT_EQ(whole.bandwidth, cut_up.bandwidth);
-    for (std::size_t f = 0; f < cut_up.in_zone.size(); ++f) {
-      const auto original = std::ranges::find(s.original.parent, pieces.complex.parent[f]) - s.original.parent.begin();
-      EXPECT_EQ(cut_up.in_zone[f], whole.in_zone[static_cast<std::size_t>(original)]);
-    }
+  const Scene s = two_plates();
+  const Scene pieces = with_cuts(s, [](std::size_t f) { return f % 3 == 0; });
+  const Zone whole = neighbourhoods(s.corefined, s.brep, s.size, 3);
+  const Zone cut_up = neighbourhoods(pieces.corefined, pieces.brep, pieces.size, 3);
+  EXPECT_EQ(whole.bandwidth, cut_up.bandwidth);
+  for (std::size_t f = 0; f < cut_up.in_zone.size(); ++f) {
+    const ElementRef parent = pieces.corefined.complex.parent[f];
+    const auto original = std::ranges::find(s.original.parent, parent) - s.original.parent.begin();
+    EXPECT_EQ(cut_up.in_zone[f], whole.in_zone[static_cast<std::size_t>(original)]);
   }
 }
 
