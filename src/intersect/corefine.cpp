@@ -5,6 +5,7 @@
 
 #include "geometry/quality.hpp"
 #include "intersect/imprint.hpp"
+#include "intersect/open_gaps.hpp"
 #include "intersect/overlap.hpp"
 #include "intersect/shared.hpp"
 
@@ -46,7 +47,7 @@ class Corefiner {
     const Complex complex = complex_;
     const FaceMarks marks = marks_;
     const auto moved_from = moved_from_;
-    const std::size_t n_replaced = replaced_.size();
+    const std::size_t n_replaced = replaced_.size(), n_left_open = left_open_.size();
     std::vector<std::uint8_t> exact(complex.n_faces());
     for (int attempt = 0;; ++attempt) {
       auto failed = all_rounds(component, exact);
@@ -54,7 +55,7 @@ class Corefiner {
       if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(complex, failed->face, exact))
         return std::move(failed->fault);
       complex_ = complex, marks_ = marks;
-      moved_from_ = moved_from, replaced_.resize(n_replaced);
+      moved_from_ = moved_from, replaced_.resize(n_replaced), left_open_.resize(n_left_open);
     }
   }
 
@@ -79,6 +80,10 @@ class Corefiner {
     declare_vertices(m);
     declare_edges(m);
     find_crossings(m);
+    if (round == 0) {
+      const auto open = find_open_gaps(m);
+      left_open_.insert(left_open_.end(), open.begin(), open.end());
+    }
     settled_ = round > 0 && !has_news(m);
     if (settled_) return std::nullopt;
     remember_moves(m);
@@ -172,6 +177,7 @@ class Corefiner {
     std::sort(out.moves.begin(), out.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
     std::sort(replaced_.begin(), replaced_.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
     out.replaced = std::move(replaced_);
+    out.left_open = std::move(left_open_);
     out.touched = std::move(marks_.touched);
     out.complex = std::move(complex_);
     find_shared(out);
@@ -184,6 +190,7 @@ class Corefiner {
   FaceMarks marks_;
   std::map<VertexId, Vec3> moved_from_;
   std::vector<Corefined::Replaced> replaced_;
+  std::vector<Corefined::OpenGap> left_open_;
   bool settled_ = false;
 };
 

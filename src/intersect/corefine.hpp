@@ -50,6 +50,14 @@ struct Corefined {
 
   /// Pairs (smaller, larger) of components that meet, ascending.
   std::vector<std::array<std::uint32_t, 2>> met;
+
+  /// A place where components are within the tolerance and yet not joined; see (6).
+  struct OpenGap {
+    std::array<ElementRef, 2> faces;  // of an earlier component, of the later one
+    Vec3 at;
+    double distance = 0;
+  };
+  std::vector<OpenGap> left_open;  // in the order of the components
 };
 
 /// Why components could not be made conforming; `merge` turns it into an Error with labels.
@@ -75,7 +83,7 @@ struct JunctionFault {
 ///      pieces of a face stand where the face stood.
 ///  (6) The tolerance counts up to a quarter of the local edge length. Where details smaller than it
 ///      stand in the way (two edges of one component nearer to each other than the tolerance), the
-///      gap at that face is left open instead.
+///      gap at that face is left open instead, and is listed in `left_open`.
 ///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
 /// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),

@@ -12,16 +12,6 @@ namespace {
 
 Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
 
-/// True if boxes grown by a gap show that two segments (or points) are farther apart than it. Most
-/// are, and this is much cheaper than their distance.
-bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (std::min(a[axis], b[axis]) > std::max(c[axis], d[axis]) + gap ||
-        std::min(c[axis], d[axis]) > std::max(a[axis], b[axis]) + gap)
-      return true;
-  return false;
-}
-
 /// Vertices that both sides have already (from an earlier round).
 void declare_shared(Meeting& m) {
   for (std::size_t i = 0; i < m.symbol_of[0].size(); ++i)

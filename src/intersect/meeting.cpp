@@ -178,4 +178,12 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
   return m;
 }
 
+bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::min(a[axis], b[axis]) > std::max(c[axis], d[axis]) + gap ||
+        std::min(c[axis], d[axis]) > std::max(a[axis], b[axis]) + gap)
+      return true;
+  return false;
+}
+
 }  // namespace meshgraft

@@ -102,6 +102,10 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
                      std::span<const std::uint8_t> is_second, double sharp_angle);
 
+/// True if boxes grown by a gap show that two segments (or points) are farther apart than it. Most
+/// are, and this is much cheaper than their distance.
+[[nodiscard]] bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap);
+
 /// Declares vertices that are on the other side, in order of dimension, and moves those of side 1.
 void declare_vertices(Meeting& meeting);
 /// Declares edges that pass each other.

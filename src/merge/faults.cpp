@@ -67,6 +67,20 @@ Error to_error(Inputs inputs, const JunctionFault& fault) {
   return error;
 }
 
+std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps) {
+  std::vector<Error> errors;
+  for (const Corefined::OpenGap& gap : gaps) {
+    const JunctionFault fault{ErrorCode::kJunctionNotResolved,
+                              "a gap of " + text_of(gap.distance) + ", less than the tolerance, is left open",
+                              {gap.faces.begin(), gap.faces.end()},
+                              gap.at};
+    errors.push_back(to_error(inputs, fault));
+    errors.back().hint =
+        "details smaller than the tolerance stand in the way; a smaller --tolerance, or meshes that meet exactly there";
+  }
+  return errors;
+}
+
 std::vector<std::uint32_t> parts_apart(Inputs inputs, std::span<const std::array<std::uint32_t, 2>> met) {
   std::vector<bool> reached(inputs.size());
   reached[0] = true;

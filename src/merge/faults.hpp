@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "intersect/corefine.hpp"
@@ -13,6 +14,9 @@ namespace meshgraft {
 
 /// A junction that could not be made, as an error with labels.
 [[nodiscard]] Error to_error(Inputs inputs, const JunctionFault& fault);
+
+/// Places within the tolerance at which the parts were not joined, as broken promises with labels.
+[[nodiscard]] std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps);
 
 /// The parts that no chain of meetings joins to the base, ascending.
 /// `met`: pairs of inputs that meet.

@@ -1,5 +1,7 @@
 #include "meshgraft/merge.hpp"
 
+#include <algorithm>
+
 #include "merge/compatibility.hpp"
 #include "merge/faults.hpp"
 #include "merge/fidelity.hpp"
@@ -39,6 +41,7 @@ Result<void> check_parts_meet(Inputs inputs, const Corefined& corefined, const M
 /// Everything that can be said against the result, and the figures that go with it.
 void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
            Report& report) {
+  append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
   append(report.broken_promises, check_result(outcome, translated, options.tolerance));
   QualityVerdict quality = quality_of(outcome, remeshed.bad, options.min_quality);
   report.quality = std::move(quality.summary);
@@ -70,7 +73,9 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   search_options.tolerance = options.tolerance;
   const auto candidates = candidate_faces(inputs, search_options);
   if (const auto ok = check_local_scale(inputs, candidates); !ok) return Failure(ok.error());
-  const Complex original = workpiece(inputs, candidates, table.of_input, graft.group_sets);
+  WorkpieceOptions workpiece_options;
+  if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
+  const Complex original = workpiece(inputs, candidates, table.of_input, graft.group_sets, workpiece_options);
 
   watch.start("intersect", 0.2);  // paper 5.1, 5.2
   CorefineOptions corefine_options;

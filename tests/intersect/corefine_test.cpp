@@ -206,6 +206,31 @@ TEST(Corefine, LinesAreSplitWithTheirEdges) {
   EXPECT_EQ(lines[1].groups, j.before.lines[0].groups);
 }
 
+TEST(Corefine, AGapThatCannotBeClosedIsListed) {
+  // The foot of the part is within the tolerance but must not move.
+  Joined j{{ground(), face({1, 1, 0.004}, {1.6, 1, 0.004}, {1.3, 1, 2})}, {}, {}, {}};
+  j.before = checks::complex_of(j.models, j.sets);
+  for (std::size_t v = 3; v < 5; ++v) j.before.state[v] = VertexState::kFrozen;
+  j.result = corefine(j.before, j.sets, {});
+  ASSERT_TRUE(j.result);
+  ASSERT_EQ(j.result->left_open.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Corefined::OpenGap& gap = j.result->left_open[k];
+    EXPECT_EQ(gap.at, j.before.position[3 + k]);
+    EXPECT_NEAR(gap.distance, 0.004, 1e-12);
+    EXPECT_EQ(gap.faces[0].input, 0u);
+    EXPECT_EQ(gap.faces[1].input, 1u);
+  }
+}
+
+TEST(Corefine, AGapThatIsClosedIsNotListed) {
+  for (const double gap : {-0.008, -0.004, 0.0, 0.004, 0.008}) {
+    const Joined j = join({wall(), plate({2.3, 4.7, gap}, {5, 0, 0}, {0, 0, 2}, 0.9)});
+    ASSERT_TRUE(j.result);
+    EXPECT_TRUE(j.result->left_open.empty()) << gap;
+  }
+}
+
 TEST(Corefine, AFixedEdgeThatWouldBeSplitIsAFault) {
   Joined j{{ground(), face({1, -1, -1}, {1, 1, -1}, {1, 0.2, 2})}, {}, {}, {}};
   j.before = checks::complex_of(j.models, j.sets);

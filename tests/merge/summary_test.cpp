@@ -127,5 +127,19 @@ TEST(Faults, AJunctionFaultNamesElementsByTheirLabels) {
   EXPECT_EQ(e.place.file, "plate.unv");
 }
 
+TEST(Faults, EachGapLeftOpenIsABrokenPromiseWithBothElements) {
+  const Model base = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
+  const std::array<const Model*, 2> inputs{&base, &base};
+  const ElementId first(std::size_t{0}), second(std::size_t{1});
+  const std::array gaps{Corefined::OpenGap{{ElementRef{0, first}, ElementRef{1, second}}, {1, 2, 3}, 0.25}};
+  const std::vector<Error> errors = open_gap_errors(inputs, gaps);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors[0].code, ErrorCode::kJunctionNotResolved);
+  EXPECT_EQ(errors[0].what,
+            "a gap of 0.25, less than the tolerance, is left open: element 1 of PLATE and element 2 of PLATE at "
+            "(1, 2, 3)");
+  EXPECT_FALSE(errors[0].hint.empty());
+}
+
 }  // namespace
 }  // namespace meshgraft
