@@ -1,36 +1,58 @@
 #include "search/region.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace meshgraft {
 namespace {
 
 constexpr int kKeyBits = 21;  // per axis: three fit into 64 bits
+constexpr int kCellsPerReach = 4;
+constexpr double kMargin = 1.5;  // of the reach: cells may be sqrt 2 larger than asked for
 
 }  // namespace
 
 Region::Region(std::span<const Reach> reaches) {
-  for (const Reach& r : reaches) bounds_.add(r.box.grown(r.distance));
+  for (const Reach& r : reaches) bounds_.add(r.box.grown(kMargin * r.distance));
   const Vec3 extent = bounds_.high - bounds_.low;
   const double least_size =
       std::max({extent.x, extent.y, extent.z}) / double(1 << (kKeyBits - 1));  // bounds_ may double below
   for (const Reach& r : reaches) {
-    Grid& grid = grid_for(r.distance, least_size);
-    const Box box = r.box.grown(r.distance);
-    const Cell low = cell_of(box.low, grid.size), high = cell_of(box.high, grid.size);
+    Grid& grid = grid_for(r.distance / kCellsPerReach, least_size);
+    const Cell low = cell_of(r.box.low, grid.size), high = cell_of(r.box.high, grid.size);
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
         for (std::int64_t z = low[2]; z <= high[2]; ++z)
           if (const Cell c{x, y, z}; grid.keys.insert(key(c)).second) grid.cells.push_back(c);
   }
   const Vec3 origin = bounds_.low;
-  for (const Grid& grid : grids_)
-    for (const Cell& c : grid.cells)
+  for (Grid& grid : grids_) {
+    for (std::size_t axis = 0; axis < 3; ++axis) grid.cells = spread(std::move(grid.cells), axis);
+    for (const Cell& c : grid.cells) {
+      grid.keys.insert(key(c));
       bounds_.add(origin + grid.size * Vec3{double(c[0] + 1), double(c[1] + 1), double(c[2] + 1)});
+    }
+  }
 }
 
-Region::Grid& Region::grid_for(double reach, double least_size) {
-  const double size = std::exp2(0.5 * std::ceil(2 * std::log2(std::max(reach, least_size))));
+std::vector<Region::Cell> Region::spread(std::vector<Cell> cells, std::size_t axis) {
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  std::ranges::sort(cells, {}, [&](const Cell& c) { return Cell{c[i], c[j], c[axis]}; });
+  std::vector<Cell> result;
+  for (const Cell& c : cells) {
+    std::int64_t first = std::max<std::int64_t>(c[axis] - kCellsPerReach, 0);
+    if (!result.empty() && result.back()[i] == c[i] && result.back()[j] == c[j])
+      first = std::max(first, result.back()[axis] + 1);
+    for (Cell next = c; first <= c[axis] + kCellsPerReach; ++first) {
+      next[axis] = first;
+      result.push_back(next);
+    }
+  }
+  return result;
+}
+
+Region::Grid& Region::grid_for(double least_cell, double least_size) {
+  const double size = std::exp2(0.5 * std::ceil(2 * std::log2(std::max(least_cell, least_size))));
   auto at = grids_.begin();
   while (at != grids_.end() && at->size < size) ++at;
   if (at == grids_.end() || at->size != size) {

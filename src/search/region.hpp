@@ -17,9 +17,10 @@ struct Reach {
   double distance = 0;  // > 0
 };
 
-/// Grid cells that hold every point within reach of a box, and points up to 1.5 times as far again.
-/// Each reach goes into a grid with cells of about its size (2^(k/2) for some k), so that large and
-/// small faces side by side mark a few cells each.
+/// Grid cells that hold every point within reach of a box, and points up to 0.8 times as far again.
+/// Each reach goes into a grid with cells of about a quarter of its size (2^(k/2) for some k), so that
+/// large and small faces side by side mark a few cells each. The cells at the boxes are marked first and
+/// then spread axis by axis: many boxes next to each other cost no more than the cells they share.
 class Region {
  public:
   explicit Region(std::span<const Reach> reaches);
@@ -39,7 +40,9 @@ class Region {
   [[nodiscard]] Cell cell_of(Vec3 p, double size) const;
   [[nodiscard]] static std::uint64_t key(const Cell& c);
   [[nodiscard]] bool meets(const Box& box, const Grid& grid) const;
-  Grid& grid_for(double reach, double least_size);
+  /// The cells up to one reach before and after the given ones along an axis, each once.
+  [[nodiscard]] static std::vector<Cell> spread(std::vector<Cell> cells, std::size_t axis);
+  Grid& grid_for(double least_cell, double least_size);
 
   Box bounds_;               // of all marked cells
   std::vector<Grid> grids_;  // ascending by size

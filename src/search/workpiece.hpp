@@ -11,7 +11,9 @@
 namespace meshgraft {
 
 struct WorkpieceOptions {
-  double reach = 8;  // in longest edges of the candidate faces: how far around them
+  /// In longest edges of the candidate faces: how far around them. A zone goes no farther than six
+  /// neighbourhoods by itself (WidenLimits); a bandwidth that the user asks for may need more.
+  double reach = 6;
 };
 
 /// The faces around `candidates` (by input, see candidate_faces), with the 1D elements on them and
