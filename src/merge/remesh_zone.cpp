@@ -82,11 +82,10 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   int widened = 0;
 
   const double wanted = size_ratio(original, corefined) < limits.alike ? limits.mean_alike : limits.mean_graded;
-  for (int more = 1; !options.bandwidth && more <= limits.max_more && mean_quality(best.remeshed) < wanted; ++more) {
-    Attempt wider = attempt(neighbourhoods(corefined, brep, size, options.bandwidth, more));
-    if (mean_quality(wider.remeshed) <= mean_quality(best.remeshed)) break;
-    if (worst_mendable(wider.remeshed) < worst_mendable(best.remeshed)) break;
-    best = std::move(wider), ++widened;
+  if (!options.bandwidth && mean_quality(best.remeshed) < wanted) {
+    Attempt wider = attempt(neighbourhoods(corefined, brep, size, options.bandwidth, limits.more));
+    const bool better = mean_quality(wider.remeshed) > mean_quality(best.remeshed);
+    if (better && worst_mendable(wider.remeshed) >= worst_mendable(best.remeshed)) best = std::move(wider), ++widened;
   }
 
   Zone zone = best.zone;

@@ -14,11 +14,12 @@ namespace meshgraft {
 struct WidenLimits {
   int max_neighbourhoods = 6;  // from the junction
   int max_rounds = 6;
-  /// An automatic zone grows by up to `max_more` neighbourhoods until the mean Q of its faces is
-  /// this, where the edge lengths of the meshes differ by less than `alike`, or grade by more.
+  /// An automatic zone grows by `more` neighbourhoods if the mean Q of its faces is below this, where
+  /// the edge lengths of the meshes differ by less than `alike`, or grade by more. In one step, because
+  /// each step costs a remeshing of the whole zone.
   double mean_alike = 0.9, mean_graded = 0.85;
   double alike = 1.6;
-  int max_more = 2;
+  int more = 2;
 };
 
 struct RemeshedZone {
