@@ -62,7 +62,9 @@ tl::expected<Units, Fault> read_units(const LineScanner& lines, const Dataset& d
     for (int k = 0; k < reals.count; ++k) *factors[have++] = reals.value[static_cast<std::size_t>(k)];
   }
   if (have == 0) return bad(lines, line);
-  if (units.length <= 0 || units.force <= 0) return bad(lines, line);
+  if (units.length <= 0 || units.force <= 0)
+    return tl::unexpected(Fault{ErrorCode::kBadNumber, dataset.body, "dataset 164 (units) has a factor of 0 or less",
+                                "export the file with units, or remove dataset 164"});
   return units;
 }
 

@@ -88,7 +88,7 @@ tl::expected<std::size_t, Fault> end_of_binary(const Document& d, const Dataset&
   if (static_cast<std::uint64_t>(fields[kBytes]) > d.lines.text.size() - at)
     return tl::unexpected(Fault{ErrorCode::kTruncated, dataset.number_line,
                                 "the file ends inside a binary dataset of " + std::to_string(fields[kBytes]) + " bytes",
-                                "copy or export the file again"});
+                                kExportAgain});
   return at + static_cast<std::size_t>(fields[kBytes]);
 }
 

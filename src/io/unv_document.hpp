@@ -53,6 +53,9 @@ struct DuplicateRecord {
   std::uint32_t kept;
 };
 
+inline constexpr const char* kExportAgain = "copy or export the file again";
+inline constexpr const char* kLookHere = "if the file was edited here, undo that; else export it again";
+
 /// A finding about the text; Document::error turns it into an Error.
 struct Fault {
   ErrorCode code = ErrorCode::kMalformed;

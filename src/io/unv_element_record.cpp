@@ -47,15 +47,15 @@ Attempt attempt(const LineScanner& lines, const Line& header_line, std::size_t l
   bool columns = true;
   if (with_beam) {
     if (at >= limit)
-      return {0, {ErrorCode::kTruncated, header_line.begin, "the record of " + element + " is not complete", {}}};
+      return {
+          0, {ErrorCode::kTruncated, header_line.begin, "the record of " + element + " is not complete", kExportAgain}};
     const Line line = lines.at(at, limit);
     const Cut cut = parse_integers(lines.view(line), record.beam);
     if (cut == Cut::kNone)
-      return {0,
-              {ErrorCode::kMalformed,
-               line.begin,
-               element + ": expected its beam record, found '" + std::string(trimmed(lines.view(line))) + "'",
-               {}}};
+      return {
+          0,
+          {ErrorCode::kMalformed, line.begin,
+           element + ": expected its beam record, found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere}};
     columns = cut == Cut::kColumns;
     constexpr std::size_t kBeamFields = 3;
     score += layout == ElementLayout::k780 || record.beam.size() == kBeamFields ? 1 : 0;
@@ -67,16 +67,16 @@ Attempt attempt(const LineScanner& lines, const Line& header_line, std::size_t l
   std::vector<std::int64_t> values;
   while (record.nodes.size() < n) {
     if (at >= limit)
-      return {0, {ErrorCode::kTruncated, header_line.begin, "the record of " + element + " is not complete", {}}};
+      return {
+          0, {ErrorCode::kTruncated, header_line.begin, "the record of " + element + " is not complete", kExportAgain}};
     const Line line = lines.at(at, limit);
     const Cut cut = parse_integers(lines.view(line), values);
     if (cut == Cut::kNone || values.size() > n - record.nodes.size())
       return {0,
-              {ErrorCode::kMalformed,
-               line.begin,
+              {ErrorCode::kMalformed, line.begin,
                element + ": expected " + std::to_string(n - record.nodes.size()) + " more node labels, found '" +
                    std::string(trimmed(lines.view(line))) + "'",
-               {}}};
+               kLookHere}};
     columns = columns && cut == Cut::kColumns;
     record.nodes.insert(record.nodes.end(), values.begin(), values.end());
     at = line.next;
@@ -102,16 +102,15 @@ std::optional<Fault> element_record(const LineScanner& lines, std::size_t begin,
   const Line line = lines.at(begin, limit);
   const Cut cut = parse_integers(lines.view(line), record.header);
   if (cut == Cut::kNone || record.header.size() != header_fields(layout))
-    return Fault{
-        ErrorCode::kMalformed, begin, list_of(layout) + ", found '" + std::string(trimmed(lines.view(line))) + "'", {}};
+    return Fault{ErrorCode::kMalformed, begin,
+                 list_of(layout) + ", found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere};
   const std::int64_t n = record.header.back();
   if (record.label() < 0 || n < 0 || n > kMostNodes)
-    return Fault{ErrorCode::kMalformed,
-                 begin,
+    return Fault{ErrorCode::kMalformed, begin,
                  record.label() < 0
                      ? "element label " + std::to_string(record.label()) + " is negative"
                      : "element " + std::to_string(record.label()) + " cannot have " + std::to_string(n) + " nodes",
-                 {}};
+                 kLookHere};
   const std::int64_t id = type_of(record.header, layout);
   const bool usual = layout != ElementLayout::k71 && has_beam_record(id);
   Attempt first = attempt(lines, line, limit, layout, usual, record);

@@ -132,6 +132,26 @@ class FastParser {
   ElementLayout layout_;
 };
 
+/// Whether a node of an element may be 0, which stands for a middle node that is left out. Shapes
+/// that are only carried along may have it anywhere.
+bool may_be_left_out(Shape shape, std::size_t position) {
+  switch (shape) {
+    case Shape::kLine:
+    case Shape::kTriangle:
+    case Shape::kQuad:
+      return false;
+    case Shape::kLine3:
+    case Shape::kTriangle6:
+    case Shape::kQuad8:
+      return position % 2 == 1;
+    case Shape::kPoint:
+    case Shape::kSolid:
+    case Shape::kOther:
+      break;
+  }
+  return true;
+}
+
 class PieceParser {
  public:
   PieceParser(const Document& d, const Dataset& dataset, const LabelIndex& nodes)
@@ -199,12 +219,13 @@ class PieceParser {
     piece.label.push_back(label), piece.place.push_back(at);
     piece.n_nodes.push_back(static_cast<std::uint32_t>(nodes.size()));
     piece.attributes.push_back(attributes(at, piece));
-    for (const std::int64_t node : nodes) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const std::int64_t node = nodes[k];
       const std::uint32_t id = nodes_.find(node);
       piece.nodes.push_back(NodeId());
       if (id != LabelIndex::kNone)
         piece.nodes.back().value = id;
-      else if (node != 0 && !piece.fault)
+      else if (!(node == 0 && may_be_left_out(shape_, k)) && !piece.fault)
         piece.fault = Fault{ErrorCode::kUnknownNode, at,
                             "element " + std::to_string(label) + " refers to node " + std::to_string(node) +
                                 ", which no node dataset defines",
@@ -226,6 +247,7 @@ class PieceParser {
       negative_ = a.physical < 0 || a.material < 0;
       last_header_ = header_;
       last_attributes_ = piece.table.intern(a);
+      shape_ = a.shape;
     }
     if (negative_) piece.findings.negative.add(at);
     return last_attributes_;
@@ -239,6 +261,7 @@ class PieceParser {
   ElementRecord record_;
   std::vector<std::int64_t> header_, last_header_;
   std::uint32_t last_attributes_ = 0;  // of last_header_
+  Shape shape_ = Shape::kOther;        // of last_header_
   bool negative_ = false;
 };
 

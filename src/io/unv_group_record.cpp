@@ -62,17 +62,15 @@ tl::expected<void, Fault> group_record(const LineScanner& lines, std::size_t beg
   const Cut cut = parse_integers(lines.view(record.header_line), record.header);
   record.columns = cut == Cut::kColumns;
   if (cut == Cut::kNone || !is_header_shape(record.header))
-    return tl::unexpected(Fault{ErrorCode::kMalformed,
-                                begin,
+    return tl::unexpected(Fault{ErrorCode::kMalformed, begin,
                                 "expected the " + std::to_string(layout.header_fields) +
                                     " integers of a group, found '" +
                                     std::string(trimmed(lines.view(record.header_line))) + "'",
-                                {}});
+                                kLookHere});
   std::size_t at = record.header_line.next;
   if (at >= limit)
     return tl::unexpected(Fault{ErrorCode::kTruncated, begin,
-                                "group " + std::to_string(record.header[0]) + " has no name line",
-                                "copy or export the file again"});
+                                "group " + std::to_string(record.header[0]) + " has no name line", kExportAgain});
   record.name_line = lines.at(at, limit);
   at = record.name_line.next;
 

@@ -274,7 +274,7 @@ tl::expected<void, Fault> read_one_by_one(Document& d, std::uint32_t dataset_pos
       return tl::unexpected(Fault{ErrorCode::kTruncated, at,
                                   "the file ends after " + std::to_string(found) + " of " + std::to_string(declared) +
                                       " entities of group " + std::to_string(record.header[0]),
-                                  "copy or export the file again"});
+                                  kExportAgain});
     if (found != declared)
       warnings.push_back(d.warning("group-count",
                                    "group " + std::to_string(record.header[0]) + " declares " +

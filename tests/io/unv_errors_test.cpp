@@ -16,6 +16,22 @@ TEST(UnvErrors, UnknownNodeNamesElementNodeAndLine) {
   EXPECT_EQ(e.hint, "export the mesh together with its nodes, or remove element 3");
 }
 
+TEST(UnvErrors, OnlyMiddleNodesMayBeLeftOut) {
+  const auto code_of = [](std::int64_t id, std::initializer_list<std::int64_t> nodes) {
+    const auto n = static_cast<std::int64_t>(nodes.size());
+    const auto model =
+        read_unv_text(dataset("2411", kNodes) + dataset("2412", line({9, id, 1, 1, 7, n}) + line(nodes)), "sample.unv");
+    return model ? std::optional<ErrorCode>() : model.error().code;
+  };
+  EXPECT_EQ(code_of(91, {0, 2, 5}), ErrorCode::kUnknownNode);
+  EXPECT_EQ(code_of(94, {1, 2, 5, 0}), ErrorCode::kUnknownNode);
+  EXPECT_EQ(code_of(92, {1, 2, 0, 0, 5, 0}), ErrorCode::kUnknownNode);
+  EXPECT_EQ(code_of(92, {1, 0, 2, 0, 5, 0}), std::nullopt);
+  EXPECT_EQ(code_of(122, {1, 0, 2}), std::nullopt);
+  const Error beam = error_of(replaced(mesh(), line({0, 1, 1}) + line({1, 2}), line({0, 1, 1}) + line({1, 0})));
+  EXPECT_EQ(beam.code, ErrorCode::kUnknownNode);
+}
+
 TEST(UnvErrors, CoordinatesThatAreNoNumbers) {
   for (const std::string bad :
        {"NaN", "Infinity", "-inf", "*********", "1,5", "abc", "1.0D+999", "1.0.0", "--1", "1D"}) {
