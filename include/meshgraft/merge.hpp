@@ -24,8 +24,8 @@ struct Merged {
 ///  (3) Every new entity has a parent and the groups and attributes of that parent.
 ///  (4) The same inputs and options give the same graft, whatever the number of threads.
 ///
-/// Errors: kUsage, kNoFaces, kPartsApart, kOverlap, kUnitsDiffer, kScaleMismatch,
-/// kDegenerateFace, kDuplicateFace, kUnsupportedElement, kJunctionNotResolved, kLabelOverflow.
+/// Errors: kUsage, kNoFaces, kPartsApart, kOverlap, kUnitsDiffer, kCoordinateSystem,
+/// kScaleMismatch, kDegenerateFace, kDuplicateFace, kUnsupportedElement, kJunctionNotResolved, kLabelOverflow.
 [[nodiscard]] Result<Merged> merge(const Model& base, std::span<const Model> parts, const MergeOptions& options = {});
 
 /// The merged model as arrays: kept entities in input order, new ones after them.

@@ -62,6 +62,17 @@ struct Units {
   friend bool operator==(const Units&, const Units&) = default;
 };
 
+/// A coordinate system that a file defines (UNV: datasets 2420 and 18) or that its nodes name. One
+/// that is named without being defined is taken as the global one. Coordinates are never transformed.
+struct CoordinateSystem {
+  std::int64_t label = 0;
+  std::int64_t type = 0;                                            // 0 Cartesian, 1 cylindrical, 2 spherical
+  std::array<double, 12> axes{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};  // three rows of rotation, then the origin
+  NodeId first_node;                                                // of those that name it; may be invalid
+  [[nodiscard]] bool same_as(const CoordinateSystem& other) const { return type == other.type && axes == other.axes; }
+  [[nodiscard]] bool is_global() const { return same_as({}); }
+};
+
 /// The text a model was read from; defined by the reader, needed by the writer.
 class Source;
 
@@ -86,8 +97,9 @@ struct Model {
   std::vector<Group> groups;                       // file order; equal names and numbers can occur
   GroupSets group_sets;                            // of GroupId into `groups`
   std::optional<Units> units;
-  std::vector<Warning> warnings;         // what the reader repaired or doubted
-  std::shared_ptr<const Source> source;  // null for a model made in memory
+  std::vector<CoordinateSystem> coordinate_systems;  // ascending by label
+  std::vector<Warning> warnings;                     // what the reader repaired or doubted
+  std::shared_ptr<const Source> source;              // null for a model made in memory
 
   [[nodiscard]] std::size_t n_nodes() const { return position.size(); }
   [[nodiscard]] std::size_t n_elements() const { return element_label.size(); }
@@ -97,6 +109,8 @@ struct Model {
   [[nodiscard]] const ElementAttributes& attributes_of(ElementId e) const {
     return attributes[element_attributes[e.value].value];
   }
+  /// The global one if the file does not define it.
+  [[nodiscard]] CoordinateSystem coordinate_system(std::int64_t label) const;
   [[nodiscard]] Shape shape(ElementId e) const { return attributes_of(e).shape; }
   [[nodiscard]] bool is_face(ElementId e) const { return shape(e) == Shape::kTriangle; }
   [[nodiscard]] std::array<Vec3, 3> corners(ElementId face) const {

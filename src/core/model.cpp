@@ -27,6 +27,14 @@ ElementAttributes simple(Shape shape, std::int64_t type, std::int64_t physical, 
 Place place_of(const Model& model, NodeId node) { return place_at(model, model.node_place, node.value); }
 Place place_of(const Model& model, ElementId element) { return place_at(model, model.element_place, element.value); }
 
+CoordinateSystem Model::coordinate_system(std::int64_t label) const {
+  const auto at = std::ranges::lower_bound(coordinate_systems, label, {}, &CoordinateSystem::label);
+  if (at != coordinate_systems.end() && at->label == label) return *at;
+  CoordinateSystem global;
+  global.label = label;
+  return global;
+}
+
 NodeId ModelBuilder::add_node(Vec3 position, std::int64_t label) {
   model_.position.push_back(position);
   model_.node_label.push_back(label != 0 ? label : static_cast<std::int64_t>(model_.position.size()));

@@ -1,14 +1,14 @@
 #include "io/coordinate_systems.hpp"
 
+#include <algorithm>
 #include <array>
-#include <optional>
 
 #include "io/unv_numbers.hpp"
 
 namespace meshgraft::unv {
 namespace {
 
-constexpr double kIdentity[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+using Systems = std::optional<std::vector<CoordinateSystem>>;
 
 class Reader {
  public:
@@ -28,57 +28,62 @@ class Reader {
 };
 
 /// 2420: label, type, colour; name; three rotation rows and the translation.
-std::vector<CoordinateSystem> current_systems(Reader reader) {
+Systems current_systems(Reader reader) {
   std::vector<CoordinateSystem> systems;
   std::vector<std::int64_t> header;
   reader.line(), reader.line();  // part and its name
   while (!reader.at_end()) {
     const std::string_view line = reader.line();
     if (trimmed(line).empty()) continue;
-    if (parse_integers(line, header) == Cut::kNone || header.size() < 2) return {};
+    if (parse_integers(line, header) == Cut::kNone || header.size() < 2) return std::nullopt;
     reader.line();
-    CoordinateSystem system{header[0], header[1] == 0};
+    CoordinateSystem system;
+    system.label = header[0], system.type = header[1];
     for (std::size_t row = 0; row < 4; ++row) {
       Reals reals;
-      if (parse_reals(reader.line(), kRealWidth, reals) == Cut::kNone || reals.count != 3) return {};
-      for (std::size_t k = 0; k < 3; ++k) system.global = system.global && reals.value[k] == kIdentity[3 * row + k];
+      if (parse_reals(reader.line(), kRealWidth, reals) == Cut::kNone || reals.count != 3) return std::nullopt;
+      std::ranges::copy(reals.value, system.axes.begin() + static_cast<std::ptrdiff_t>(3 * row));
     }
     systems.push_back(system);
   }
   return systems;
 }
 
+/// Rows of the rotation, then the origin, from the origin, a point on +x and one in the plane +xz.
+std::array<double, 12> axes_of(Vec3 origin, Vec3 on_x, Vec3 in_xz) {
+  const Vec3 x = normalized(on_x - origin), y = normalized(cross(in_xz - origin, x)), z = cross(x, y);
+  return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z, origin.x, origin.y, origin.z};
+}
+
 /// 18: number, type, ...; name; origin, point on +x, point in +xz: nine values on two lines.
-std::vector<CoordinateSystem> old_systems(Reader reader) {
+Systems old_systems(Reader reader) {
   std::vector<CoordinateSystem> systems;
   std::vector<std::int64_t> header;
   while (!reader.at_end()) {
     const std::string_view line = reader.line();
     if (trimmed(line).empty()) continue;
-    if (parse_integers(line, header) == Cut::kNone || header.size() < 2) return {};
+    if (parse_integers(line, header) == Cut::kNone || header.size() < 2) return std::nullopt;
     reader.line();
     std::vector<double> values;
     for (int k = 0; k < 2; ++k) {
       for (std::string_view rest = right_trimmed(reader.line()); !rest.empty();
            rest.remove_prefix(std::min(rest.size(), kShortRealWidth))) {
         const auto value = parse_real(trimmed(rest.substr(0, kShortRealWidth)));
-        if (!value) return {};
+        if (!value) return std::nullopt;
         values.push_back(*value);
       }
     }
     constexpr std::size_t kValues = 9;
-    if (values.size() != kValues) return {};
-    const bool origin = values[0] == 0 && values[1] == 0 && values[2] == 0;
-    const bool x = values[3] > 0 && values[4] == 0 && values[5] == 0;
-    const bool xz = values[7] == 0 && values[8] > 0;
-    systems.push_back({header[0], header[1] == 0 && origin && x && xz});
+    if (values.size() != kValues) return std::nullopt;
+    const auto point = [&](std::size_t k) { return Vec3{values[k], values[k + 1], values[k + 2]}; };
+    systems.push_back({header[0], header[1], axes_of(point(0), point(3), point(6)), NodeId()});
   }
   return systems;
 }
 
 }  // namespace
 
-std::vector<CoordinateSystem> coordinate_systems(const LineScanner& lines, const Dataset& dataset) {
+Systems coordinate_systems(const LineScanner& lines, const Dataset& dataset) {
   return dataset.number == 18 ? old_systems(Reader(lines, dataset)) : current_systems(Reader(lines, dataset));
 }
 

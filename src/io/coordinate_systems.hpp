@@ -1,20 +1,20 @@
-// Datasets 2420 and 18: coordinate systems. Coordinates are never transformed; the systems are read
-// to warn about those that are not the global one.
+// Datasets 2420 and 18: coordinate systems.
 #pragma once
 
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "io/unv_document.hpp"
+#include "meshgraft/model.hpp"
 
 namespace meshgraft::unv {
 
-struct CoordinateSystem {
-  std::int64_t label = 0;
-  bool global = false;  // Cartesian, no rotation, no translation
-};
+[[nodiscard]] constexpr bool holds_systems(const Dataset& dataset) {
+  return !dataset.binary && (dataset.number == 2420 || dataset.number == 18);
+}
 
-/// The systems of a dataset; empty if the dataset cannot be understood.
-[[nodiscard]] std::vector<CoordinateSystem> coordinate_systems(const LineScanner& lines, const Dataset& dataset);
+/// The systems of a dataset, in its order; nothing if the dataset cannot be understood.
+[[nodiscard]] std::optional<std::vector<CoordinateSystem>> coordinate_systems(const LineScanner& lines,
+                                                                              const Dataset& dataset);
 
 }  // namespace meshgraft::unv

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::array<std::int64_t, 9> kCarryLabels{55, 56, 57, 58, 2414, 757, 791, 82, 2431};
 constexpr std::array<std::int64_t, 3> kHeaders{151, 164, 2400};
-constexpr std::array<std::int64_t, 2> kSystems{2420, 18};
 
 std::string number_of(const Dataset& dataset) { return std::to_string(dataset.number) + (dataset.binary ? "b" : ""); }
 
@@ -22,27 +21,18 @@ DatasetEntry entry(std::uint32_t input, const Document& d, const Dataset& datase
   return e;
 }
 
-/// The lines between the delimiters, with LF, for comparing.
-std::string content(const Document& d, const Dataset& dataset) {
-  std::string text;
-  append_lines(d.lines, dataset.body, dataset.body_end, "\n", text);
-  return text;
+/// Whether the base has every system of the dataset under the same label.
+bool systems_in_base(const Model& base, const Document& part, const Dataset& dataset) {
+  const auto systems = coordinate_systems(part.lines, dataset);
+  return systems && std::ranges::all_of(*systems, [&](const CoordinateSystem& system) {
+           return system.is_global() || system.same_as(base.coordinate_system(system.label));
+         });
 }
 
-bool all_global(const Document& d, const Dataset& dataset) {
-  const auto systems = coordinate_systems(d.lines, dataset);
-  return !systems.empty() && std::ranges::all_of(systems, &CoordinateSystem::global);
-}
-
-bool same_as_base(const Document& base, const Document& part, const Dataset& dataset) {
+bool same_as_base(const Model& base, const Document& part, const Dataset& dataset) {
   if (dataset.binary) return false;
-  if (std::ranges::count(kHeaders, dataset.number)) return true;
-  if (!std::ranges::count(kSystems, dataset.number)) return false;
-  if (all_global(part, dataset)) return true;
-  const std::string text = content(part, dataset);
-  return std::ranges::any_of(base.datasets, [&](const Dataset& other) {
-    return !other.binary && other.number == dataset.number && content(base, other) == text;
-  });
+  if (holds_systems(dataset)) return systems_in_base(base, part, dataset);
+  return std::ranges::count(kHeaders, dataset.number) != 0;
 }
 
 bool labels_changed(const Splice& s, std::uint32_t k) {
@@ -77,9 +67,9 @@ void splice_datasets(Splice& s) {
     const bool changed = labels_changed(s, k);
     for (const Dataset& dataset : d.datasets) {
       if (dataset.kind() != DatasetKind::kOther) continue;
-      if (same_as_base(s.base(), d, dataset)) {
+      if (same_as_base(*s.models.front(), d, dataset)) {
         s.report.datasets.push_back(entry(k, d, dataset, "same as base"));
-      } else if (changed) {
+      } else if (changed || holds_systems(dataset)) {  // labels of systems may be those of the base
         s.side_file += "input " + std::to_string(k) + ", " + d.path() + ", line " +
                        std::to_string(d.line_of(dataset.number_line)) + ": dataset " + number_of(dataset);
         s.side_file += s.line_end();

@@ -17,10 +17,8 @@ constexpr std::size_t kRealColumns = 3 * kRealWidth;
 Fault bad_real(const LineScanner& lines, const Line& line, const Reals& reals, std::int64_t label) {
   const std::string where = "coordinates of node " + std::to_string(label) + ": ";
   if (reals.bad.empty())
-    return {ErrorCode::kMalformed,
-            line.begin,
-            where + "expected 3 reals, found '" + std::string(trimmed(lines.view(line))) + "'",
-            {}};
+    return {ErrorCode::kMalformed, line.begin,
+            where + "expected 3 reals, found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere};
   const bool comma = reals.bad.find(',') != std::string_view::npos;
   return {ErrorCode::kBadNumber, line.begin,
           where + "'" + std::string(reals.bad) + "' " + std::string(number_fault(reals.bad)),
@@ -29,7 +27,7 @@ Fault bad_real(const LineScanner& lines, const Line& line, const Reals& reals, s
 
 Fault truncated(std::size_t offset, std::int64_t label) {
   return {ErrorCode::kTruncated, offset, "the record of node " + std::to_string(label) + " is not complete",
-          "copy or export the file again"};
+          kExportAgain};
 }
 
 void take_reals(const Reals& reals, NodeRecord& record) {
@@ -60,10 +58,9 @@ tl::expected<NodeRecord, Fault> one_line_record(const LineScanner& lines, const 
     record.columns = false;
   }
   if (scratch.size() != kHeaderFields)
-    return tl::unexpected(Fault{ErrorCode::kMalformed,
-                                line.begin,
+    return tl::unexpected(Fault{ErrorCode::kMalformed, line.begin,
                                 "expected the 4 integers of a node, found '" + std::string(trimmed(content)) + "'",
-                                {}});
+                                kLookHere});
   record.label = scratch[0];
   std::copy_n(scratch.begin() + 1, 3, record.fields.begin());
   record.end = line.next;
@@ -88,10 +85,8 @@ tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const 
   const Cut cut = parse_integers(lines.view(line), scratch);
   if (cut == Cut::kNone || scratch.size() != kHeaderFields)
     return tl::unexpected(
-        Fault{ErrorCode::kMalformed,
-              line.begin,
-              "expected the 4 integers of a node, found '" + std::string(trimmed(lines.view(line))) + "'",
-              {}});
+        Fault{ErrorCode::kMalformed, line.begin,
+              "expected the 4 integers of a node, found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere});
   record.label = scratch[0];
   std::copy_n(scratch.begin() + 1, 3, record.fields.begin());
   if (line.next >= limit) return tl::unexpected(truncated(line.begin, record.label));
@@ -106,28 +101,42 @@ tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const 
 }
 
 /// The usual record, in columns and with nothing else on its lines.
-bool fast_record(const Document& d, std::size_t begin, std::size_t limit, std::int64_t& label, Vec3& position,
-                 std::size_t& end) {
+bool fast_record(const Document& d, std::size_t begin, std::size_t limit, NodeRecord& record) {
   const std::size_t feed = d.line_end.size();
   if (limit - begin < kHeaderColumns + kRealColumns + 2 * feed) return false;
   const char* header = d.lines.text.data() + begin;
   const char* reals = header + kHeaderColumns + feed;
   if (!d.ends_line(begin + kHeaderColumns) || !d.ends_line(begin + kHeaderColumns + feed + kRealColumns)) return false;
-  std::int64_t other = 0;
-  if (!fast_integer(header, label)) return false;
-  for (std::size_t k = 1; k < kHeaderFields; ++k)
-    if (!fast_integer(header + k * kIntegerWidth, other)) return false;
-  if (!fast_real(reals, position.x) || !fast_real(reals + kRealWidth, position.y) ||
-      !fast_real(reals + 2 * kRealWidth, position.z))
+  if (!fast_integer(header, record.label)) return false;
+  for (std::size_t k = 0; k < record.fields.size(); ++k)
+    if (!fast_integer(header + (k + 1) * kIntegerWidth, record.fields[k])) return false;
+  if (!fast_real(reals, record.position.x) || !fast_real(reals + kRealWidth, record.position.y) ||
+      !fast_real(reals + 2 * kRealWidth, record.position.z))
     return false;
-  end = begin + kHeaderColumns + kRealColumns + 2 * feed;
+  record.end = begin + kHeaderColumns + kRealColumns + 2 * feed;
   return true;
 }
 
-/// What a dataset has that deserves a warning.
-struct Findings {
+/// What a dataset has that deserves a warning, and the systems its nodes name.
+class Findings {
+ public:
   Irregular tokens, two_reals;
-  void add(const Findings& later) { tokens.add(later.tokens), two_reals.add(later.two_reals); }
+  NamedSystems systems;
+
+  /// Systems seldom change from one node to the next.
+  void add_systems(const NodeRecord& record, std::size_t at) {
+    const bool is_first = systems.empty();
+    for (std::size_t k = 0; k < last_.size(); ++k)
+      if (is_first || record.fields[k] != last_[k]) systems.try_emplace(record.fields[k], at);
+    last_ = {record.fields[0], record.fields[1]};
+  }
+  void add(const Findings& later) {
+    tokens.add(later.tokens), two_reals.add(later.two_reals);
+    for (const auto& [label, at] : later.systems) systems.try_emplace(label, at);
+  }
+
+ private:
+  std::array<std::int64_t, 2> last_{};  // definition and displacement system
 };
 
 std::size_t count_lines(std::string_view text, char terminator) {
@@ -157,12 +166,18 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
     std::size_t i = before + (first_line[k] + 1) / 2;
     for (const std::size_t last = before + (first_line[k + 1] + 1) / 2; i < last && good; ++i) {
       model.node_place[i] = at;
-      if (fast_record(d, at, dataset.body_end, model.node_label[i], model.position[i], at)) continue;
+      NodeRecord fast;
+      if (fast_record(d, at, dataset.body_end, fast)) {
+        found[k].add_systems(fast, at);
+        model.node_label[i] = fast.label, model.position[i] = fast.position, at = fast.end;
+        continue;
+      }
       const auto record = node_record(d.lines, at, dataset.body_end, NodeLayout::kTwoLines, scratch);
       if (!record || record->label < 0) {
         good = false;
         return;
       }
+      found[k].add_systems(*record, at);
       if (!record->columns) found[k].tokens.add(at);
       if (record->two_reals) found[k].two_reals.add(at);
       model.node_label[i] = record->label, model.position[i] = record->position, at = record->end;
@@ -185,7 +200,8 @@ tl::expected<void, Fault> read_one_by_one(const Document& d, const Dataset& data
     if (!record) return tl::unexpected(record.error());
     if (record->label < 0)
       return tl::unexpected(
-          Fault{ErrorCode::kMalformed, at, "node label " + std::to_string(record->label) + " is negative", {}});
+          Fault{ErrorCode::kMalformed, at, "node label " + std::to_string(record->label) + " is negative", kLookHere});
+    findings.add_systems(*record, at);
     if (!record->columns) findings.tokens.add(at);
     if (record->two_reals) findings.two_reals.add(at);
     model.node_place.push_back(at);
@@ -204,7 +220,7 @@ tl::expected<NodeRecord, Fault> node_record(const LineScanner& lines, std::size_
                                         : two_line_record(lines, line, limit, scratch);
 }
 
-tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, Model& model,
+tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, Model& model, NamedSystems& systems,
                                      std::vector<Warning>& warnings) {
   Findings findings;
   const bool regular =
@@ -213,6 +229,7 @@ tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, 
     findings = {};
     if (auto done = read_one_by_one(d, dataset, model, findings); !done) return done;
   }
+  for (const auto& [label, at] : findings.systems) systems.try_emplace(label, at);
   if (findings.tokens.count > 0)
     warnings.push_back(d.warning(
         "free-format",

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "io/unv_document.hpp"
@@ -31,9 +32,12 @@ struct NodeRecord {
                                                           std::size_t limit, NodeLayout layout,
                                                           std::vector<std::int64_t>& scratch);
 
-/// Appends the nodes of one dataset: position, label, place. Parses in parallel when all records
-/// have the same number of lines, which the result does not depend on.
+/// Coordinate systems that nodes name, with the offset of the first record that does.
+using NamedSystems = std::map<std::int64_t, std::size_t>;
+
+/// Appends the nodes of one dataset: position, label, place, and the systems they name. Parses in parallel when all
+/// records have the same number of lines, which the result does not depend on.
 [[nodiscard]] tl::expected<void, Fault> read_nodes(const Document& document, const Dataset& dataset, Model& model,
-                                                   std::vector<Warning>& warnings);
+                                                   NamedSystems& systems, std::vector<Warning>& warnings);
 
 }  // namespace meshgraft::unv

@@ -19,7 +19,7 @@ namespace meshgraft {
 namespace unv {
 namespace {
 
-constexpr std::int64_t kModelHeader = 2400, kUnits = 164, kSystems = 2420, kOldSystems = 18;
+constexpr std::int64_t kModelHeader = 2400, kUnits = 164;
 
 class Reader {
  public:
@@ -32,7 +32,7 @@ class Reader {
     read_headers();
     for (const Dataset& dataset : d_.datasets)
       if (dataset.kind() == DatasetKind::kNodes)
-        if (auto done = checked(dataset, read_nodes(d_, dataset, model_, model_.warnings)); !done)
+        if (auto done = checked(dataset, read_nodes(d_, dataset, model_, named_systems_, model_.warnings)); !done)
           return tl::unexpected(done.error());
     if (auto fault = index_nodes()) return tl::unexpected(std::move(*fault));
     for (const Dataset& dataset : d_.datasets)
@@ -48,6 +48,7 @@ class Reader {
           return tl::unexpected(done.error());
     warn_about_labels(model_.node_label, model_.node_place, "node");
     warn_about_labels(model_.element_label, model_.element_place, "element");
+    collect_systems();
     warn_about_systems();
     return std::move(model_);
   }
@@ -63,7 +64,7 @@ class Reader {
       if (!dataset.closed && dataset.body_end == end && last_line) {
         fault.code = ErrorCode::kTruncated;
         fault.what = "the file ends inside a record: " + fault.what;
-        fault.hint = "copy or export the file again";
+        fault.hint = kExportAgain;
       }
       if (dataset.closed && fault.code == ErrorCode::kTruncated) fault.code = ErrorCode::kMalformed;
       return tl::unexpected(std::move(fault));
@@ -74,7 +75,7 @@ class Reader {
                ? done
                : tl::unexpected(Fault{ErrorCode::kTruncated, end - 1,
                                       "the file ends inside a line of dataset " + std::to_string(dataset.number),
-                                      "copy or export the file again"});
+                                      kExportAgain});
   }
 
   [[nodiscard]] bool last_line_complete(const Dataset& dataset) const {
@@ -211,31 +212,45 @@ class Reader {
         places[static_cast<std::size_t>(largest - labels.begin())]));
   }
 
+  /// The systems that are defined, the first definition of a label, and those that nodes name.
+  void collect_systems() {
+    std::map<std::int64_t, CoordinateSystem> systems;
+    for (const Dataset& dataset : d_.datasets) {
+      if (!holds_systems(dataset)) continue;
+      const auto defined = coordinate_systems(d_.lines, dataset);
+      if (!defined)
+        model_.warnings.push_back(d_.warning("coordinate-system",
+                                             "dataset " + std::to_string(dataset.number) +
+                                                 " cannot be understood; its systems are taken as the global one",
+                                             dataset.number_line));
+      else
+        for (const CoordinateSystem& system : *defined) systems.try_emplace(system.label, system);
+    }
+    for (const auto& [label, at] : named_systems_) {
+      CoordinateSystem& system = systems[label];
+      system.label = label;
+      const auto after = std::ranges::upper_bound(model_.node_place, at);
+      system.first_node = NodeId(static_cast<std::size_t>(after - model_.node_place.begin()) - 1);
+    }
+    for (const auto& [label, system] : systems) model_.coordinate_systems.push_back(system);
+  }
+
   void warn_about_systems() {
-    std::vector<std::int64_t> others;
-    for (const Dataset& dataset : d_.datasets)
-      if (!dataset.binary && (dataset.number == kSystems || dataset.number == kOldSystems))
-        for (const CoordinateSystem& system : coordinate_systems(d_.lines, dataset))
-          if (!system.global) others.push_back(system.label);
-    if (others.empty()) return;
-    std::vector<std::int64_t> scratch;
-    for (std::size_t i = 0; i < model_.n_nodes(); ++i) {
-      const std::size_t at = model_.node_place[i];
-      const Dataset& dataset = d_.datasets[d_.dataset_at(at)];
-      const auto record = node_record(d_.lines, at, dataset.body_end, node_layout_of(dataset.number), scratch);
-      if (!record || !std::ranges::count(others, record->fields[0])) continue;
+    for (const CoordinateSystem& system : model_.coordinate_systems) {
+      if (!system.first_node.valid() || system.is_global()) continue;
+      const std::uint32_t node = system.first_node.value;
       model_.warnings.push_back(d_.warning("coordinate-system",
-                                           "node " + std::to_string(record->label) + " names coordinate system " +
-                                               std::to_string(record->fields[0]) +
+                                           "node " + std::to_string(model_.node_label[node]) +
+                                               " names coordinate system " + std::to_string(system.label) +
                                                ", which is not the global one; coordinates are used as they are",
-                                           at));
-      return;
+                                           model_.node_place[node]));
     }
   }
 
   Document& d_;
   Model model_;
   LabelIndex nodes_, elements_;
+  NamedSystems named_systems_;
 };
 
 Result<Model> read_document(std::shared_ptr<Document> document, const ReadOptions& options) {

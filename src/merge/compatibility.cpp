@@ -1,6 +1,7 @@
 #include "merge/compatibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -61,6 +62,35 @@ Result<void> check_units(Inputs inputs) {
   return {};
 }
 
+std::string text_of(const CoordinateSystem& system) {
+  constexpr std::array kTypes{"Cartesian", "cylindrical", "spherical"};
+  if (system.is_global()) return "the global one";
+  const bool known = system.type >= 0 && static_cast<std::size_t>(system.type) < kTypes.size();
+  const Vec3 origin{system.axes[9], system.axes[10], system.axes[11]};
+  return (known ? kTypes[static_cast<std::size_t>(system.type)] : "of type " + std::to_string(system.type)) +
+         " with origin " + text_of(origin);
+}
+
+/// In the output the nodes of a part name the systems of the base.
+Result<void> check_systems(Inputs inputs) {
+  const Model& base = *inputs[0];
+  for (const Model* part : inputs.subspan(1)) {
+    for (const CoordinateSystem& system : part->coordinate_systems) {
+      if (!system.first_node.valid()) continue;
+      const CoordinateSystem in_base = base.coordinate_system(system.label);
+      if (system.same_as(in_base)) continue;
+      return failure(
+          ErrorCode::kCoordinateSystem,
+          "node " + std::to_string(part->node_label[system.first_node.value]) + " names coordinate system " +
+              std::to_string(system.label) + ", which is " + text_of(system) + " here but " + text_of(in_base) +
+              " in " + base.path,
+          "export both models in global Cartesian coordinates, or with the same systems under the same labels",
+          place_of(*part, system.first_node));
+    }
+  }
+  return {};
+}
+
 /// Size of a model, from some of its faces.
 struct Extent {
   double diagonal = 0, mean_edge = 0;
@@ -111,6 +141,7 @@ Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const 
     extents.push_back(extent_of(*model, faces));
   }
   if (const auto ok = check_units(inputs); !ok) return ok;
+  if (const auto ok = check_systems(inputs); !ok) return ok;
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     const Extent &a = extents[0], &b = extents[k];
     const double times = std::min(ratio(a.diagonal, b.diagonal), ratio(a.mean_edge, b.mean_edge));

@@ -17,8 +17,8 @@ struct CompatibilityLimits {
   std::size_t sample = 4096;
 };
 
-/// Checks options and inputs. Errors: kUsage, kNoFaces, kBadNumber, kUnitsDiffer, kScaleMismatch.
-/// Cost: one look at every node.
+/// Checks options and inputs. Errors: kUsage, kNoFaces, kBadNumber, kUnitsDiffer,
+/// kCoordinateSystem, kScaleMismatch. Cost: one look at every node.
 [[nodiscard]] Result<void> check_compatible(Inputs inputs, const MergeOptions& options,
                                             const CompatibilityLimits& limits = {});
 

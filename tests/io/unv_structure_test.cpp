@@ -153,6 +153,28 @@ TEST(UnvStructure, SystemThatIsNotTheGlobalOneIsWarnedAbout) {
   EXPECT_TRUE(warns(read(dataset("2420", system) + mesh()), "coordinate-system"));
   EXPECT_FALSE(
       warns(read(dataset("2420", replaced(system, line({1, 1, 8}), line({1, 0, 8}))) + mesh()), "coordinate-system"));
+  EXPECT_TRUE(warns(read(dataset("2420", replaced(system, "D+00   1", "D+00   x")) + mesh()), "coordinate-system"));
+}
+
+TEST(UnvStructure, SystemsAreThoseDefinedAndThoseNamedByNodes) {
+  const std::string old = line({5, 1, 0, 8, 0}) + "RIM\n" +
+                          "  1.00000E+00  2.00000E+00  3.00000E+00  1.00000E+00  4.00000E+00  3.00000E+00\n"
+                          "  1.00000E+00  2.00000E+00  9.00000E+00\n";
+  // The last node asks for results in system 4; both readers of records must see it.
+  for (const std::string spoilt : {"", "\n"}) {
+    const std::string nodes = replaced(kNodes, line({6, 1, 1, 11}), spoilt + line({6, 1, 4, 11}));
+    const Model m = read(dataset("18", old) + dataset("2411", nodes) + dataset("2412", kElements));
+    ASSERT_EQ(m.coordinate_systems.size(), 3u);
+    EXPECT_EQ(m.coordinate_systems[0].label, 1);
+    EXPECT_EQ(m.coordinate_systems[0].first_node, NodeId(0u));
+    EXPECT_EQ(m.coordinate_systems[1].label, 4);
+    EXPECT_EQ(m.coordinate_systems[1].first_node, NodeId(5u));
+    EXPECT_TRUE(m.coordinate_systems[1].is_global());
+    const CoordinateSystem rim = m.coordinate_system(5);
+    EXPECT_FALSE(rim.first_node.valid());
+    EXPECT_EQ(rim.type, 1);
+    EXPECT_EQ(rim.axes, (std::array<double, 12>{0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3}));
+  }
 }
 
 }  // namespace

@@ -74,6 +74,31 @@ TEST(Compatibility, UnitFactorsMustAgreeAndBothAreNamed) {
   EXPECT_TRUE(check_compatible(inputs, {}).has_value());  // a file that says nothing contradicts nothing
 }
 
+TEST(Compatibility, ASystemThatNodesOfAPartNameMeansTheSameInTheBase) {
+  const CoordinateSystem rim{.label = 3, .type = 1, .first_node = NodeId(4u)};
+  CoordinateSystem unused = rim, moved = rim, global{.label = 3, .first_node = NodeId(4u)};
+  unused.first_node = {}, moved.axes[9] = 0.5;
+  const auto accepts = [](const std::vector<CoordinateSystem>& in_base, const std::vector<CoordinateSystem>& in_part) {
+    Model a = plate(), b = plate();
+    a.coordinate_systems = in_base, b.coordinate_systems = in_part;
+    const std::array<const Model*, 2> inputs{&a, &b};
+    const auto result = check_compatible(inputs, {});
+    if (result) return true;
+    EXPECT_EQ(result.error().code, ErrorCode::kCoordinateSystem);
+    EXPECT_NE(result.error().what.find("node 5 "), std::string::npos) << result.error().what;
+    return false;
+  };
+  EXPECT_TRUE(accepts({rim}, {rim}));
+  EXPECT_TRUE(accepts({unused}, {rim}));
+  EXPECT_TRUE(accepts({}, {global}));
+  EXPECT_TRUE(accepts({rim}, {}));
+  EXPECT_TRUE(accepts({moved}, {unused}));
+  EXPECT_FALSE(accepts({}, {rim}));
+  EXPECT_FALSE(accepts({moved}, {rim}));
+  EXPECT_FALSE(accepts({global}, {rim}));
+  EXPECT_FALSE(accepts({unused}, {global}));  // would get the meaning that the base gives the label
+}
+
 TEST(Compatibility, ModelsAThousandTimesApartInScaleAreRefusedEitherWay) {
   const Model a = plate();
   for (const double scale : {1000.0, 0.001})
