@@ -1,6 +1,7 @@
 // meshgraft, the program: arguments in, one of the commands, exit code out.
 #include <tbb/global_control.h>
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <optional>
@@ -48,6 +49,7 @@ ExitCode run_command(std::span<const char* const> arguments) {
 
 int main(int argc, char** argv) {
   using namespace meshgraft::cli;
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is a failed write, not the end
   try {
     return run_command(std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0 ? 1 : 0));
   } catch (const std::bad_alloc&) {

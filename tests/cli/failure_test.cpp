@@ -148,6 +148,17 @@ TEST(FullDisk, OfTheReportLeavesTheMeshUnwritten) {
   EXPECT_EQ(folder.files(), before);
 }
 
+TEST(FullDisk, OrALimitOnTheSizeOfFilesLeavesNothingBehind) {
+  const Folder folder;
+  folder.put_plates();
+  const std::vector<std::string> before = folder.files();
+  const Outcome outcome = folder.run_program(
+      "/bin/sh", {"-c", "ulimit -f 1; exec \"$0\" merge base.unv part.unv -o out.unv", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find("[cannot-write]"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.files(), before);
+}
+
 TEST(FullDisk, OfStdoutIsNoticed) {
   const Folder folder;
   folder.put_plates();
