@@ -29,7 +29,7 @@ struct MergeOptions {
   Tolerance tolerance;
   /// Edge length along the junction, in file units; by default l_a of paper 5.3.
   std::optional<double> size;
-  /// Neighbourhoods remeshed on both sides; by default the rule of paper 5.4.
+  /// Neighbourhoods remeshed on both sides; by default chosen mesh by mesh (paper 5.4 and beyond).
   std::optional<int> bandwidth;
   /// Least aspect ratio Q (paper 5.5) accepted for a new face.
   double min_quality = 0.5;
