@@ -1,6 +1,8 @@
 #include "zone/brep.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "geometry/quality.hpp"
 #include "zone/chains.hpp"
@@ -11,8 +13,9 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kTurnReach = 0.1;    // share of the edge length of the parents over which a turn is measured
-constexpr double kPlaneShare = 1e-9;  // of the size of a sheet: what rounding leaves of a plane
+constexpr double kTurnReach = 0.1;     // share of the edge length of the parents over which a turn is measured
+constexpr double kPlaneShare = 1e-9;   // of the size of a sheet: what rounding leaves of a plane
+constexpr double kPulledShare = 0.01;  // of the mean edge length: how far the border may stand off the plane
 
 /// Counts the fans (faces joined over edges that are no curve) at a vertex.
 class Fans {
@@ -186,22 +189,35 @@ class Reader {
     }
   }
 
+  [[nodiscard]] bool is_inside(VertexId v) const { return corner_[v.value] == 0 && degree_.count[v.value] == 0; }
+
+  /// Vertices that were pulled onto another mesh do not make a plane sheet a curved one: the plane is
+  /// that of the vertices inside, and those on the border may stand off it a little.
   void find_plane(Sheet& sheet) const {
     Box box;
-    Vec3 sum;
+    Vec3 sum, sum_inside;
+    double edge = 0;
     for (const FaceId f : sheet.faces) {
       const Triangle t = complex_.corners(f);
       sum += area_vector(t);
+      if (std::ranges::all_of(complex_.face[f.value], [&](VertexId v) { return is_inside(v); }))
+        sum_inside += area_vector(t);
+      edge += mean_edge_length(t) / static_cast<double>(sheet.faces.size());
       for (const Vec3 p : t) box.add(p);
     }
-    const Vec3 normal = normalized(sum), origin = midpoint(box.low, box.high);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const bool has_inside = squared_norm(sum_inside) > 0;
+    const Vec3 normal = normalized(has_inside ? sum_inside : sum), origin = midpoint(box.low, box.high);
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::array<double, 2> low{kFar, kFar}, high{-kFar, -kFar};  // of all vertices; of those that tell the plane
     for (const FaceId f : sheet.faces)
-      for (const Vec3 p : complex_.corners(f)) {
-        const double height = dot(normal, p - origin);
-        low = std::min(low, height), high = std::max(high, height);
+      for (const VertexId v : complex_.face[f.value]) {
+        const double height = dot(normal, complex_.position[v.value] - origin);
+        for (const std::size_t k : {0u, 1u})
+          if (k == 0 || !has_inside || is_inside(v))
+            low[k] = std::min(low[k], height), high[k] = std::max(high[k], height);
       }
-    sheet.planar = squared_norm(normal) > 0 && high - low <= 2 * kPlaneShare * box.diagonal();
+    sheet.planar = squared_norm(normal) > 0 && high[1] - low[1] <= 2 * kPlaneShare * box.diagonal() &&
+                   high[0] - low[0] <= kPulledShare * edge;
     if (sheet.planar) sheet.normal = normal;
   }
 

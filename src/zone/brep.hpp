@@ -35,7 +35,7 @@ struct Curve {
 /// A maximal piece of manifold surface between curves: one group set, one set of attributes.
 struct Sheet {
   std::vector<FaceId> faces;  // ascending
-  bool planar = false;        // all faces within rounding of one plane
+  bool planar = false;        // all within rounding of one plane, but for a border pulled off it a little
   Vec3 normal;                // of that plane; zero otherwise
 };
 
