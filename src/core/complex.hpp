@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "meshgraft/group_sets.hpp"
@@ -23,12 +25,16 @@ enum class VertexState : std::uint8_t {
 };
 
 /// n vertices, m faces, k lines. Edges may have any number of faces; orientation of neighbours may
-/// differ. Group sets are of merged groups (Graft::groups), so they compare across inputs.
+/// differ. Group sets are of merged groups (Graft::groups), so they compare across inputs. The
+/// component of an input is its number.
 struct Complex {
   std::vector<Vec3> position;             // n
   std::vector<NodeRef> node;              // n, the input node it is; invalid: a new one
   std::vector<VertexState> state;         // n
-  std::vector<GroupSetId> vertex_groups;  // n, node groups
+  std::vector<GroupSetId> vertex_groups;  // n, node groups, whatever component they come from
+  /// The same by component, for vertices in which components meet and which are in any group: a
+  /// group of one mesh goes on along that mesh only. See groups_on.
+  std::map<std::pair<VertexId, std::uint32_t>, GroupSetId> component_groups;
 
   std::vector<std::array<VertexId, 3>> face;  // m
   std::vector<ElementRef> parent;             // m, the input face it descends from
@@ -56,6 +62,23 @@ struct Complex {
     return {position[v[0].value], position[v[1].value], position[v[2].value]};
   }
 
+  /// Node groups that a vertex is in as a point of one component.
+  [[nodiscard]] GroupSetId groups_on(std::uint32_t of, VertexId v) const {
+    if (!has_component_groups(v)) return vertex_groups[v.value];
+    const auto own = component_groups.find({v, of});
+    return own == component_groups.end() ? GroupSets::kEmpty : own->second;
+  }
+  /// The vertex is a point of that component too, in these groups.
+  void join_groups(VertexId v, std::uint32_t of, GroupSetId groups, GroupSets& sets) {
+    GroupSetId& all = vertex_groups[v.value];
+    const GroupSetId before = all;
+    all = sets.unite(all, groups);
+    if (all == GroupSets::kEmpty) return;
+    if (!has_component_groups(v) && node[v.value].valid()) component_groups[{v, node[v.value].input}] = before;
+    GroupSetId& own = component_groups.try_emplace({v, of}, GroupSets::kEmpty).first->second;
+    own = sets.unite(own, groups);
+  }
+
   VertexId add_vertex(Vec3 p, NodeRef of, VertexState s, GroupSetId groups) {
     position.push_back(p), node.push_back(of), state.push_back(s), vertex_groups.push_back(groups);
     return VertexId(position.size() - 1);
@@ -68,6 +91,12 @@ struct Complex {
     face_groups.push_back(GroupSetId(from.face_groups[like.value]));
     face_attributes.push_back(AttributesId(from.face_attributes[like.value]));
     return FaceId(face.size() - 1);
+  }
+
+ private:
+  [[nodiscard]] bool has_component_groups(VertexId v) const {
+    const auto it = component_groups.lower_bound({v, 0});
+    return it != component_groups.end() && it->first.first == v;
   }
 };
 

@@ -76,8 +76,8 @@ struct JunctionFault {
 ///      first and declared; signs of what is left come from exact predicates.
 ///  (3) Vertices of earlier components never move. Vertices of later ones move at most by the
 ///      tolerance, and every move is listed.
-///  (4) The group set of a new vertex is, for each component it lies on, the intersection of the
-///      group sets of the vertices of the edge or face it lies on; united over components.
+///  (4) On each component that a vertex comes to lie on it is in the groups that all vertices of the
+///      edge or face beneath it are in, on that component (Complex::groups_on).
 ///
 ///  (5) Vertices of the input keep their ids; one that was replaced stays behind without faces. The
 ///      pieces of a face stand where the face stood.

@@ -68,8 +68,7 @@ bool would_collapse(const Meeting& m, VertexId x, VertexId y) {
 void replace(Meeting& m, VertexId x, VertexId y) {
   m.add({x, {vertex(x), vertex(y)}});
   m.replaced.push_back({y, x});
-  auto& groups = m.complex.vertex_groups;
-  groups[x.value] = m.groups.unite(groups[x.value], groups[y.value]);
+  m.join_groups(x, 1, vertex(y));
   m.complex.state[x.value] = std::max(m.complex.state[x.value], m.complex.state[y.value]);
 }
 
@@ -184,8 +183,7 @@ void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carri
     if (l.is_gap && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
     m.has_closed_gap |= l.is_gap;
     m.add(symbol);
-    GroupSetId& groups = m.complex.vertex_groups[l.vertex.value];
-    groups = m.groups.unite(groups, m.groups_on(1 - s, symbol.on[1 - s]));
+    m.join_groups(l.vertex, 1 - s, symbol.on[1 - s]);
     if (s == 0 || l.distance <= m.rule.noise()) continue;
     m.moved.emplace_back(l.vertex, m.at(l.vertex));
     m.complex.position[l.vertex.value] = l.point;

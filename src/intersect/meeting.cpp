@@ -75,17 +75,25 @@ std::uint32_t Meeting::add(const Symbol& symbol) {
   return id;
 }
 
-GroupSetId Meeting::groups_on(std::size_t s, const Carrier& on) {
-  const auto of = [&](VertexId v) { return complex.vertex_groups[v.value]; };
-  if (on.kind == Carrier::kVertex) return of(VertexId(std::size_t{on.id}));
-  if (on.kind == Carrier::kEdge) return groups.intersect(of(side[s].ends(on.id)[0]), of(side[s].ends(on.id)[1]));
-  const auto& v = side[s].corners(on.id);
-  return groups.intersect(groups.intersect(of(v[0]), of(v[1])), of(v[2]));
+void Meeting::join_groups(VertexId v, std::size_t s, const Carrier& on) {
+  const VertexId itself(std::size_t{on.id});
+  std::span<const VertexId> corners(&itself, 1);
+  std::span<const LocalFace> faces(&on.id, 1);
+  if (on.kind == Carrier::kVertex) faces = side[s].faces_at(itself);
+  if (on.kind == Carrier::kEdge) corners = side[s].ends(on.id), faces = side[s].faces_at_edge(on.id);
+  if (on.kind == Carrier::kFace) corners = side[s].corners(on.id);
+  for (const LocalFace f : faces) {
+    const std::uint32_t component = complex.component[side[s].face(f).value];
+    GroupSetId common = complex.groups_on(component, corners.front());
+    for (const VertexId w : corners.subspan(1)) common = groups.intersect(common, complex.groups_on(component, w));
+    complex.join_groups(v, component, common, groups);
+  }
 }
 
 VertexId Meeting::new_vertex(Vec3 p, const std::array<Carrier, 2>& on) {
-  const GroupSetId both = groups.unite(groups_on(0, on[0]), groups_on(1, on[1]));
-  return complex.add_vertex(p, {}, VertexState::kOpen, both);
+  const VertexId v = complex.add_vertex(p, {}, VertexState::kOpen, GroupSets::kEmpty);
+  for (const std::size_t s : kSides) join_groups(v, s, on[s]);
+  return v;
 }
 
 namespace {

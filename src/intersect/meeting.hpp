@@ -86,8 +86,9 @@ struct Meeting {
   std::uint32_t add(const Symbol& symbol);
   /// A new vertex where edges cross, or an edge and a face.
   VertexId new_vertex(Vec3 p, const std::array<Carrier, 2>& on);
-  /// Node groups that all corners of a carrier have.
-  [[nodiscard]] GroupSetId groups_on(std::size_t s, const Carrier& on);
+  /// The vertex lies on a carrier of side s: on each component there it is in the node groups that
+  /// all corners of the carrier have on that component.
+  void join_groups(VertexId v, std::size_t s, const Carrier& on);
 };
 
 /// Pairs of faces of `first` and `second` (ascending) that come nearer than twice their snap length

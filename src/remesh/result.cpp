@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <span>
 
 #include "geometry/quality.hpp"
 
@@ -124,18 +125,31 @@ class Writer {
                        complex_.vertex_groups[v.value]);
       return;
     }
-    out().add_vertex(vertex.position, NodeRef{}, VertexState::kOpen, groups_beneath(vertex));
+    out().add_vertex(vertex.position, NodeRef{}, VertexState::kOpen, groups_beneath(v));
   }
 
-  GroupSetId groups_beneath(const LocalVertex& v) {
-    const auto& of = complex_.vertex_groups;
-    if (v.curve.valid()) {
-      const auto& chain = brep_.curves[v.curve.value].chain;
-      const std::size_t e = editor_.reference().edge(v.curve, v.arc);
-      return groups_.intersect(of[chain[e].value], of[chain[e + 1].value]);
+  /// Node groups of a new vertex: on each component it lies on, those of all vertices of the edge or
+  /// face beneath it.
+  GroupSetId groups_beneath(VertexId id) {
+    const LocalVertex& v = mesh().vertex(id);
+    if (!v.curve.valid()) {
+      const FaceId f = editor_.reference().project(v.sheet, v.position, v.beneath).face;
+      return common_groups(complex_.face[f.value], complex_.component[f.value]);
     }
-    const auto& face = complex_.face[editor_.reference().project(v.sheet, v.position, v.beneath).face.value];
-    return groups_.intersect(of[face[0].value], groups_.intersect(of[face[1].value], of[face[2].value]));
+    const auto& chain = brep_.curves[v.curve.value].chain;
+    const auto edge = std::span(chain).subspan(editor_.reference().edge(v.curve, v.arc), 2);
+    GroupSetId all = GroupSets::kEmpty;
+    for (const FaceId f : mesh().star(id)) {
+      const FaceId beneath = mesh().sheet(mesh().face(f).sheet).faces.front();
+      all = groups_.unite(all, common_groups(edge, complex_.component[beneath.value]));
+    }
+    return all;
+  }
+
+  GroupSetId common_groups(std::span<const VertexId> vertices, std::uint32_t component) {
+    GroupSetId common = complex_.groups_on(component, vertices.front());
+    for (const VertexId v : vertices.subspan(1)) common = groups_.intersect(common, complex_.groups_on(component, v));
+    return common;
   }
 
   void write_faces() {

@@ -115,17 +115,23 @@ class Reader {
 
   /// Whether a node group names this vertex for its own sake (see read_brep).
   bool is_explicit(VertexId v) {
-    const GroupSetId all = complex_.vertex_groups[v.value];
-    if (all == GroupSets::kEmpty) return false;
+    if (complex_.vertex_groups[v.value] == GroupSets::kEmpty) return false;
+    return std::ranges::any_of(faces_at_[v], [&](FaceId f) { return is_explicit(v, complex_.component[f.value]); });
+  }
+
+  bool is_explicit(VertexId v, std::uint32_t component) {
+    const auto groups = [&](VertexId w) { return complex_.groups_on(component, w); };
+    const GroupSetId all = groups(v);
     GroupSetId area = all;
     for (const FaceId f : faces_at_[v])
-      for (const VertexId w : complex_.face[f.value]) area = groups_.intersect(area, complex_.vertex_groups[w.value]);
+      if (complex_.component[f.value] == component)
+        for (const VertexId w : complex_.face[f.value]) area = groups_.intersect(area, groups(w));
     if (area == all) return false;
     GroupSetId line = GroupSets::kEmpty;
     if (degree_.count[v.value] == 2) {
       line = all;
       for (const EdgeId e : degree_.around[v.value])
-        for (const VertexId w : edges_.ends(e)) line = groups_.intersect(line, complex_.vertex_groups[w.value]);
+        for (const VertexId w : edges_.ends(e)) line = groups_.intersect(line, groups(w));
     }
     return groups_.unite(area, line) != all;
   }

@@ -61,7 +61,8 @@ struct BrepOptions {
 /// they bound or carry; sharp turns; kPinned and kFrozen vertices; junction points; ends of fixed edges and of
 /// 1D elements that lie on no face edge; vertices in which surfaces touch without an edge; vertices with
 /// explicit node groups: one that neither all vertices of all faces around have (the group covers an area) nor
-/// both neighbours on the curve (it goes on along a line). Corners may lie inside a sheet.
+/// both neighbours on the curve (it goes on along a line), each component taken by itself. Corners may lie
+/// inside a sheet.
 ///
 /// A turn is measured over a tenth of the edge length of the input faces there, so that the direction of a very
 /// short edge, which is noise, makes no corner, and a small chamfer makes one.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -64,6 +65,46 @@ TEST(RandomMerge, IsConformingAndFitForAnalysis) {
     RC_ASSERT(found.non_manifold_edges > 0u);
     const CheckResult wall = check(s.wall), part = check(s.part);
     RC_ASSERT(std::abs(found.area - wall.area - part.area) <= 1e-6 * found.area);
+  });
+  EXPECT_TRUE(held);
+}
+
+/// Nodes on one side of a random plane near the middle of the model, and a few single ones.
+Model with_node_group(Model m, const std::string& name) {
+  const std::size_t n = m.n_nodes();
+  const Vec3 through = m.position[*rc::gen::inRange(std::size_t{0}, n)];
+  const Vec3 normal{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+  std::vector<bool> in(n);
+  for (std::size_t v = 0; v < n; ++v) in[v] = dot(normal, m.position[v] - through) > 0;
+  for (int k = 0; k < 3; ++k) in[*rc::gen::inRange(std::size_t{0}, n)] = true;
+  const GroupId group(m.groups.size());
+  m.groups.push_back({name});
+  for (std::size_t v = 0; v < n; ++v) {
+    if (!in[v]) continue;
+    m.node_groups[v] = m.group_sets.with(m.node_groups[v], group);
+    ++m.groups.back().n_nodes;
+  }
+  return m;
+}
+
+bool is_in(const Model& m, std::size_t node, const std::string& name) {
+  return std::ranges::any_of(m.group_sets.members(m.node_groups[node]),
+                             [&](GroupId g) { return m.groups[g.value].name == name; });
+}
+
+TEST(RandomMerge, OneNameInBothInputsUnitesTheirNodesAndChangesNothingElse) {
+  const bool held = rc::check([] {
+    const Scene s = random_scene();
+    const Model wall = with_node_group(s.wall, "LOAD"), part = with_node_group(s.part, "LOAD");
+    Model renamed = part;
+    renamed.groups.back().name = "OTHER";
+    const auto one = merge(wall, std::span(&part, 1)), two = merge(wall, std::span(&renamed, 1));
+    RC_ASSERT(one.has_value() && two.has_value());
+    const Model united = apply(wall, std::span(&part, 1), *one), apart = apply(wall, std::span(&renamed, 1), *two);
+    RC_ASSERT(united.position == apart.position);
+    RC_ASSERT(united.nodes == apart.nodes);
+    for (std::size_t v = 0; v < united.n_nodes(); ++v)
+      RC_ASSERT(is_in(united, v, "LOAD") == (is_in(apart, v, "LOAD") || is_in(apart, v, "OTHER")));
   });
   EXPECT_TRUE(held);
 }

@@ -47,7 +47,7 @@ inline Joined joined(std::span<const Model> models) {
       if (is_new)
         complex.add_vertex(p, {input, NodeId(n)}, VertexState::kOpen, set);
       else
-        complex.vertex_groups[it->second.value] = result.groups.unite(complex.vertex_groups[it->second.value], set);
+        complex.join_groups(it->second, input, set, result.groups);
       vertex.push_back(it->second);
     }
     for (std::size_t e = 0; e < model.n_elements(); ++e) {
