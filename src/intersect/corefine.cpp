@@ -4,6 +4,7 @@
 #include <map>
 
 #include "geometry/quality.hpp"
+#include "intersect/doubled.hpp"
 #include "intersect/imprint.hpp"
 #include "intersect/open_gaps.hpp"
 #include "intersect/overlap.hpp"
@@ -95,7 +96,10 @@ class Corefiner {
     }
     if (auto fault = find_flat_face(m, *imprint)) return fault;
     if (auto fault = apply(m, *imprint, marks_)) {
-      if (fault->face.valid()) fault->face = marks_.from[fault->face.value];
+      if (!fault->face.valid()) return fault;
+      if (fault->fault.code == ErrorCode::kJunctionNotResolved)
+        if (auto doubled = doubled_faces_at(m, fault->face)) return ImprintFault{std::move(*doubled), {}};
+      fault->face = marks_.from[fault->face.value];
       return fault;
     }
     if (auto doubled = find_doubled_face(complex_, marks_.active))

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/quality.hpp"
-
 namespace meshgraft {
 namespace {
 
@@ -56,29 +54,6 @@ void find_shared(Corefined& out) {
     for (std::size_t j = i + 1; j < vertex_uses.size() && vertex_uses[j].first == vertex_uses[i].first; ++j)
       out.met.push_back({vertex_uses[i].second, vertex_uses[j].second});
   make_distinct(out.met);
-}
-
-std::optional<std::pair<JunctionFault, FaceId>> find_doubled_face(const Complex& complex,
-                                                                  std::span<const std::uint8_t> marked) {
-  std::vector<std::pair<std::array<VertexId, 3>, FaceId>> faces;
-  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
-    if (!marked[f]) continue;
-    auto corners = complex.face[f];
-    std::sort(corners.begin(), corners.end());
-    faces.emplace_back(corners, FaceId(f));
-  }
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t i = 1; i < faces.size(); ++i) {
-    if (faces[i].first != faces[i - 1].first) continue;
-    const FaceId f = faces[i - 1].second, g = faces[i].second;
-    const bool one = complex.component[f.value] == complex.component[g.value];
-    JunctionFault fault{one ? ErrorCode::kDuplicateFace : ErrorCode::kOverlap,
-                        one ? "two faces on the same nodes meet another mesh" : "faces lie on each other over an area",
-                        {complex.parent[f.value], complex.parent[g.value]},
-                        centroid(complex.corners(f))};
-    return std::pair{std::move(fault), g};
-  }
-  return std::nullopt;
 }
 
 }  // namespace meshgraft

@@ -24,6 +24,18 @@ InputFaces::InputFaces(const Corefined& corefined)
     for (const VertexId v : complex_.face[f])
       if (complex_.state[v.value] == VertexState::kFrozen) frozen_[i] = 1;
   }
+  freeze_doubled();
+}
+
+void InputFaces::freeze_doubled() {
+  const auto on_its_vertices = [&](FaceId f, FaceId g) {
+    return std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
+  };
+  for (std::size_t k = 0; k < complex_.n_faces(); ++k) {
+    const FaceId f(k);
+    for (const FaceId g : faces_at_[complex_.face[k][0]])
+      if (g > f && on_its_vertices(f, g)) frozen_[of(f)] = frozen_[of(g)] = 1;
+  }
 }
 
 double InputFaces::contour_length(std::uint32_t i) const {

@@ -22,7 +22,7 @@ class InputFaces {
   [[nodiscard]] std::span<const FaceId> pieces(std::uint32_t i) const { return parents_.faces_of(i); }
   [[nodiscard]] std::uint32_t component(std::uint32_t i) const { return complex_.component[pieces(i).front().value]; }
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
-  /// A vertex of it is kFrozen.
+  /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
@@ -41,6 +41,7 @@ class InputFaces {
 
  private:
   [[nodiscard]] double contour_length(std::uint32_t i) const;
+  void freeze_doubled();
 
   const Complex& complex_;
   Parents parents_;

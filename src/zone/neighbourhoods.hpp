@@ -31,7 +31,7 @@ struct Zone {
 ///   their nodes already nothing needs to change (departs from 5.4, which starts from all that meet).
 ///
 /// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
-/// and never if one of them has a kFrozen vertex.
+/// and never if one of them has a kFrozen vertex or lies on the vertices of another face.
 [[nodiscard]] Zone neighbourhoods(const Corefined& corefined, const Brep& brep, const SizeField& size,
                                   std::optional<int> bandwidth, int more = 0);
 

@@ -259,6 +259,45 @@ TEST(Corefine, FlatAndDoubledFacesAreFaultsOnlyAtTheJunction) {
   EXPECT_EQ(code(with({4, 8, 2}, {4, 9, 2}, {5, 8.5, 2}, true)), "joined");
 }
 
+/// A mesh with face k twice, on the same nodes or on nodes of its own.
+Model with_doubled_face(const Model& m, std::size_t k, bool own_nodes) {
+  ModelBuilder b;
+  for (const Vec3 p : m.position) b.add_node(p);
+  std::array<NodeId, 3> v{};
+  for (std::size_t e = 0; e < m.n_elements(); ++e) {
+    std::ranges::copy(m.nodes_of(ElementId(e)), v.begin());
+    b.add_face(v[0], v[1], v[2]);
+  }
+  std::ranges::copy(m.nodes_of(ElementId(k)), v.begin());
+  if (own_nodes)
+    for (NodeId& n : v) n = b.add_node(m.position[n.value]);
+  b.add_face(v[0], v[1], v[2]);
+  return b.build();
+}
+
+TEST(Corefine, ADoubledFaceOfEitherMeshAtTheJunctionIsNamedWithItsDouble) {
+  const Model base = wall(), part = plate({2.3, 4.7, -2}, {5, 0, 0}, {0, 0, 6}, 0.9);
+  const Joined sound = join({base, part});
+  ASSERT_TRUE(sound.result);
+  for (const std::uint32_t input : {0u, 1u}) {
+    std::set<std::size_t> crossed;  // of that input
+    for (std::size_t f = 0; f < sound.result->complex.n_faces(); ++f)
+      if (const ElementRef p = sound.result->complex.parent[f]; p.input == input && sound.result->touched[f])
+        crossed.insert(p.element.value);
+    ASSERT_FALSE(crossed.empty());
+    for (const std::size_t k : crossed)
+      for (const bool own_nodes : {false, true}) {
+        std::vector<Model> models{base, part};
+        models[input] = with_doubled_face(models[input], k, own_nodes);
+        const Joined j = join(models);
+        ASSERT_FALSE(j.result);
+        const ElementRef first{input, ElementId(k)}, second{input, ElementId(models[input].n_elements() - 1)};
+        EXPECT_EQ(name(j.result.error().code), std::string("duplicate-face")) << input << ' ' << k << ' ' << own_nodes;
+        EXPECT_EQ(j.result.error().elements, (std::vector<ElementRef>{first, second}));
+      }
+  }
+}
+
 TEST(Corefine, NewVerticesTakeTheGroupsThatAllCornersAroundThemHave) {
   std::vector<Model> models;
   ModelBuilder b;

@@ -103,6 +103,21 @@ TEST(Neighbourhoods, FrozenFacesStayOut) {
     }
 }
 
+TEST(Neighbourhoods, FacesOnTheSameVerticesStayOut) {
+  Scene s = two_plates();
+  Complex& x = s.corefined.complex;
+  FaceId f(std::size_t{0});
+  while (s.corefined.touched[f.value] || !brute_force(s.corefined, 2)[f.value]) ++f.value;
+  const auto v = x.face[f.value];
+  const FaceId twin = x.add_face({v[2], v[1], v[0]}, x, f);
+  x.parent[twin.value].element = ElementId(x.n_faces());
+  s.corefined.touched.push_back(0);
+  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 4);
+  EXPECT_FALSE(zone.in_zone[f.value]);
+  EXPECT_FALSE(zone.in_zone[twin.value]);
+  EXPECT_GT(std::ranges::count(zone.in_zone, 1), 0);
+}
+
 /// Cuts face f of the complex at its centre, as corefinement would.
 void cut(Corefined& c, FaceId f) {
   Complex& x = c.complex;
