@@ -1,6 +1,7 @@
 #include "zone/gaps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,7 @@ constexpr int kMaxHalvings = 10;      // of such a piece
 /// One edge of one face of a sheet on a curve; or a corner inside the sheet (a == b, no curve).
 struct Side {
   Vec3 a, b, inward;
+  std::array<VertexId, 2> edge;  // ascending
   CurveId curve;
   double arc_a = 0, arc_b = 0;  // along the curve
 };
@@ -109,6 +111,7 @@ class SheetGaps {
     box.add(x);
     tree_.overlapping(box.grown(reach), [&](std::uint32_t j) {
       const Side& other = sides_[j];
+      if (other.edge == side.edge) return;  // both faces of an edge in this sheet: no gap, whatever rounding says
       const SegmentPoint c = closest_on_segment(x, other.a, other.b);
       const Vec3 way = c.point - x;
       const double d = norm(way);
@@ -147,7 +150,8 @@ std::vector<Side> sides_of(const Sheet& sheet, const Complex& complex, const Bre
       const CurveId curve = brep.curve_of_edge[f.value][k];
       if (!curve.valid()) continue;
       const VertexId a = v[k], b = v[(k + 1) % 3];
-      Side side{complex.position[a.value], complex.position[b.value], {}, curve, 0, 0};
+      Side side{
+          complex.position[a.value], complex.position[b.value], {}, {std::min(a, b), std::max(a, b)}, curve, 0, 0};
       side.inward = normalized(cross(normal, side.b - side.a));
       const auto arc = arcs.of_edge(curve, a, b);
       side.arc_a = arc[0], side.arc_b = arc[1];
@@ -157,7 +161,7 @@ std::vector<Side> sides_of(const Sheet& sheet, const Complex& complex, const Bre
   std::ranges::sort(isolated);
   isolated.erase(std::ranges::unique(isolated).begin(), isolated.end());
   for (const VertexId v : isolated)
-    result.push_back({complex.position[v.value], complex.position[v.value], {}, {}, 0, 0});
+    result.push_back({complex.position[v.value], complex.position[v.value], {}, {v, v}, {}, 0, 0});
   return result;
 }
 

@@ -118,6 +118,26 @@ TEST(SizeField, StripAsksForItsWidth) {
   EXPECT_NEAR(at(s, {6, 7, 0}), 0.2 + 0.4, 0.06);
 }
 
+// One sheet on both sides of a line that ends inside it.
+RC_GTEST_PROP(SizeField, ALineIsNotNearToItself, ()) {
+  const double turn = 1e-3 * *rc::gen::inRange(0, 6283);
+  const Vec3 shift{1e-3 * *rc::gen::inRange(-1000, 1000), 1e-3 * *rc::gen::inRange(-1000, 1000), 0};
+  std::array models{scenes::plate({0, 0, 0}, {6, 0, 0}, {0, 1, 0}, 0.1),
+                    scenes::plate({1, 0.5, 0}, {4, 0, 0}, {0, 0, 0.5}, 0.1, "WALL")};
+  for (Model& model : models)
+    for (Vec3& p : model.position)  // a grid first, so that nodes on the line are the same to the bit
+      p = {std::round(p.x * 10), std::round(p.y * 10), std::round(p.z * 10)},
+      p = shift + Vec3{std::cos(turn) * p.x - std::sin(turn) * p.y, std::sin(turn) * p.x + std::cos(turn) * p.y, p.z};
+  const Scene s = scene(models);
+  for (std::size_t c = 0; c < s.brep.curves.size(); ++c) {
+    const Curve& curve = s.brep.curves[c];
+    for (std::size_t i = 1; curve.junction && i < curve.chain.size(); ++i) {
+      const Vec3 a = s.j.complex.position[curve.chain[i - 1].value], b = s.j.complex.position[curve.chain[i].value];
+      RC_ASSERT(s.size.on_curve(CurveId(c), midpoint(a, b)) > 0.9 * kMean);
+    }
+  }
+}
+
 TEST(SizeField, CrossingCurvesAreNotNarrow) {
   const std::array models{floor_plate(1), scenes::plate({0, 6, 0}, {12, 0, 0}, {0, 0, 6}, 1, "WALL"),
                           scenes::plate({6, 0, 0}, {0, 12, 0}, {0, 0, 6}, 1, "ACROSS")};
