@@ -56,6 +56,14 @@ double size_ratio(const Complex& original, const Corefined& corefined) {
   return most / least;
 }
 
+/// Mean Q of the faces of a zone that the junction leaves whole.
+double mean_input_quality(const Zone& zone, const Corefined& corefined) {
+  double sum = 0, count = 0;
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+    if (zone.in_zone[f] && !corefined.touched[f]) sum += aspect_ratio(corefined.complex.corners(FaceId(f))), ++count;
+  return count > 0 ? sum / count : 1;
+}
+
 /// Faces to remesh and what became of them.
 struct Attempt {
   Zone zone;
@@ -78,14 +86,23 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
     return Attempt{std::move(zone), std::move(remeshed)};
   };
-  Attempt best = attempt(neighbourhoods(corefined, brep, size, options.bandwidth));
-  int widened = 0;
+  const auto zone_of = [&](int more) { return neighbourhoods(corefined, brep, size, options.bandwidth, more); };
 
-  const double wanted = size_ratio(original, corefined) < limits.alike ? limits.mean_alike : limits.mean_graded;
-  if (!options.bandwidth && mean_quality(best.remeshed) < wanted) {
-    Attempt wider = attempt(neighbourhoods(corefined, brep, size, options.bandwidth, limits.more));
-    const bool better = mean_quality(wider.remeshed) > mean_quality(best.remeshed);
-    if (better && worst_mendable(wider.remeshed) >= worst_mendable(best.remeshed)) best = std::move(wider), ++widened;
+  const bool alike = size_ratio(original, corefined) < limits.alike;
+  const double wanted = alike ? limits.mean_alike : limits.mean_graded;
+  Zone narrow = zone_of(0);
+  const bool irregular = alike && mean_input_quality(narrow, corefined) < limits.regular_input;
+  const int start = !options.bandwidth && irregular ? limits.more_at_once : 0;
+  Attempt best = attempt(start > 0 ? zone_of(start) : std::move(narrow));
+  int widened = 0;
+  // Wider is better nearly always; where it is not, because it reaches other sheets, the narrow zone may be.
+  for (const int more : {limits.more, 0}) {
+    if (options.bandwidth || more == start || mean_quality(best.remeshed) >= wanted) continue;
+    Attempt other = attempt(zone_of(more));
+    // Poor faces of a narrow zone are mended below.
+    const bool sound = more == 0 || worst_mendable(other.remeshed) >= worst_mendable(best.remeshed);
+    if (!sound || mean_quality(other.remeshed) <= mean_quality(best.remeshed)) continue;
+    best = std::move(other), widened = more > 0 ? 1 : 0;
   }
 
   Zone zone = best.zone;

@@ -20,6 +20,11 @@ struct WidenLimits {
   double mean_alike = 0.9, mean_graded = 0.85;
   double alike = 1.6;
   int more = 2;
+  /// Where the meshes are alike and the mean Q of the input faces in the zone is below `regular_input`, it is
+  /// `more_at_once` neighbourhoods wider from the start: poor faces at its rim spoil the rows next to them, and with
+  /// 3 neighbourhoods no scene of that kind reached `mean_alike`.
+  double regular_input = 0.85;
+  int more_at_once = 1;
 };
 
 struct RemeshedZone {
