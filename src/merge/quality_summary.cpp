@@ -1,7 +1,6 @@
 #include "merge/quality_summary.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "geometry/quality.hpp"
 
@@ -39,13 +38,13 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
   std::string text = std::to_string(faces.size()) + (faces.size() == 1 ? " new face has" : " new faces have") +
                      " Q below " + text_of(min_quality) + "; the worst, Q " + text_of(worst.q) + ", is " +
                      outcome.text(worst.face);
-  if (bad != nullptr && !bad->cause.empty()) text += ": " + bad->cause;
+  if (bad != nullptr && !bad->cause.text.empty()) text += ": " + bad->cause.text;
   return text;
 }
 
 }  // namespace
 
-bool is_unavoidable(const BadFace& bad) { return std::string_view(bad.cause).starts_with("input angle"); }
+bool is_unavoidable(const BadFace& bad) { return bad.cause.kind == Cause::Kind::kInputAngle; }
 
 QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, double min_quality) {
   const Complex& complex = outcome.final_complex;
@@ -69,7 +68,8 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
   for (const FaceQuality& f : faces) {
     const BadFace* cause = causes.find(f.face);
     if (s.worst.size() < kWorstListed)
-      s.worst.push_back({f.q, centroid(complex.corners(f.face)), outcome.label(f.face), cause ? cause->cause : ""});
+      s.worst.push_back(
+          {f.q, centroid(complex.corners(f.face)), outcome.label(f.face), cause ? cause->cause.text : ""});
     if (f.q >= min_quality) continue;
     ++s.below;
     (cause != nullptr && is_unavoidable(*cause) ? unavoidable : avoidable).push_back(f);

@@ -21,29 +21,31 @@ double angle_deg(Vec3 at, Vec3 a, Vec3 b) {
 
 }  // namespace
 
-std::string cause_of(Editor& editor, FaceId f) {
+Cause cause_of(Editor& editor, FaceId f) {
+  using Kind = Cause::Kind;
   const LocalMesh& mesh = editor.mesh();
   const LocalFace& face = mesh.face(f);
   const auto p = mesh.corners(f);
   for (std::size_t k = 0; k < 3; ++k) {
     if (!face.curve[k].valid() || !face.curve[(k + 2) % 3].valid()) continue;
     const double angle = angle_deg(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
-    if (angle < kSharpInput || angle > kWideInput) return fmt::format("input angle of {:.0f} degrees", angle);
+    if (angle < kSharpInput || angle > kWideInput)
+      return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", angle)};
   }
   const auto fixed = [&](std::size_t k) { return mesh.vertex(face.v[k]).fixed; };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;
     const double d = distance(p[k], p[l]);
     if (fixed(k) && fixed(l) && d < kTooNear * editor.size(face.v[k], face.v[l]))
-      return fmt::format("fixed nodes only {:.3g} apart", d);
+      return {Kind::kFixedNodes, fmt::format("fixed nodes only {:.3g} apart", d)};
   }
   const auto on_boundary = [&](VertexId v) {
     return std::ranges::any_of(mesh.star(v), [&](FaceId g) { return !mesh.face(g).in_zone; });
   };
-  if (std::ranges::any_of(face.v, on_boundary)) return "boundary of the zone too near";
+  if (std::ranges::any_of(face.v, on_boundary)) return {Kind::kZoneEnd, "boundary of the zone too near"};
   // A strip: the altitude on the longest edge spans two curves.
   const auto bound = [&](std::size_t k) { return mesh.vertex(face.v[k]).dimension != Dimension::kSheet; };
-  if (bound(0) && bound(1) && bound(2)) return "narrow strip between curves";
+  if (bound(0) && bound(1) && bound(2)) return {Kind::kStrip, "narrow strip between curves"};
   return {};
 }
 

@@ -2,6 +2,7 @@
 // one fit for analysis, by local steps that never leave validity.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,19 +18,31 @@ struct RemeshOptions {
   double max_deviation = 0.04;  // of new edges and faces from the reference surface, share of their length
 };
 
+/// Why a face is poor, as far as the input is to blame.
+struct Cause {
+  enum class Kind : std::uint8_t {
+    kNone,        // none was found
+    kInputAngle,  // two curves of the input make the angle of the face: no mesh is better there
+    kFixedNodes,  // nodes that must stay are too near to each other
+    kZoneEnd,     // nodes on the boundary of the zone hold it
+    kStrip,       // it lies between two curves
+  };
+  Kind kind = Kind::kNone;
+  std::string text;  // "input angle of 9 degrees", ...; empty for kNone
+};
+
 struct BadFace {
   FaceId face;  // of Remeshed::complex
   double q = 0;
-  std::string cause;  // "input angle of 9 degrees", ...; empty if none was found
+  Cause cause;
 };
 
 struct Remeshed {
   Complex complex;  // vertices no face or line uses any more are left out, except kPinned/kFrozen ones
-  std::vector<std::uint8_t> in_zone;      // by face: descends from a zone face
-  std::vector<std::uint8_t> on_junction;  // by vertex: it lies on a junction curve
-  std::vector<BadFace> bad;               // faces of the zone with Q < min_quality, worst first
-  double max_deviation = 0;               // of new faces from the reference surface (sampled)
-  double max_deviation_relative = 0;      // over the local edge length
+  std::vector<std::uint8_t> in_zone;  // by face: descends from a zone face
+  std::vector<BadFace> bad;           // faces of the zone with Q < min_quality, worst first
+  double max_deviation = 0;           // of new faces from the reference surface (sampled)
+  double max_deviation_relative = 0;  // over the local edge length
   Vec3 deviation_at;
 };
 

@@ -27,7 +27,6 @@ class Writer {
       out().lines.push_back(line);
     }
     for (const auto& e : complex_.fixed_edges) out().fixed_edges.push_back({id_[e[0].value], id_[e[1].value]});
-    mark_junction();
     measure_curves();
     std::ranges::sort(result_.bad,
                       [](const BadFace& a, const BadFace& b) { return a.q < b.q || (a.q == b.q && a.face < b.face); });
@@ -192,19 +191,6 @@ class Writer {
     result_.max_deviation_relative = std::max(result_.max_deviation_relative, deviation / length);
     if (deviation <= result_.max_deviation) return;
     result_.max_deviation = deviation, result_.deviation_at = at;
-  }
-
-  void mark_junction() {
-    result_.on_junction.assign(out().n_vertices(), 0);
-    for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
-      if (!brep_.curves[c].junction) continue;
-      for (const VertexId v : brep_.curves[c].chain)
-        if (id_[v.value].valid()) result_.on_junction[id_[v.value].value] = 1;
-    }
-    for (std::size_t v = 0; v < mesh().n_vertices(); ++v) {
-      const CurveId c = mesh().vertex(VertexId(v)).curve;
-      if (c.valid() && brep_.curves[c.value].junction && id_[v].valid()) result_.on_junction[id_[v].value] = 1;
-    }
   }
 
   void measure_curves() {

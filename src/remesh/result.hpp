@@ -11,6 +11,6 @@ namespace meshgraft {
 
 /// Why a face of the zone cannot be better: an input angle, fixed vertices too near to each other,
 /// the boundary of the zone too near. Empty if none of these is seen.
-[[nodiscard]] std::string cause_of(Editor& editor, FaceId f);
+[[nodiscard]] Cause cause_of(Editor& editor, FaceId f);
 
 }  // namespace meshgraft

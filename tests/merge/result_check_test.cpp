@@ -143,7 +143,8 @@ TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {
   m.stitch_now();
   std::vector<BadFace> bad;
   for (std::size_t f = 0; f < m.final_complex.n_faces(); ++f)
-    if (m.stitched.new_element[f] != Stitched::kKept) bad.push_back({FaceId(f), 0.3, "frozen boundary too near"});
+    if (m.stitched.new_element[f] != Stitched::kKept)
+      bad.push_back({FaceId(f), 0.3, {Cause::Kind::kZoneEnd, "boundary of the zone too near"}});
   const QualityVerdict poor = quality_of(m.outcome(), bad, 0.5);
   EXPECT_EQ(poor.summary.faces, 3u);
   EXPECT_EQ(poor.summary.below, 1u);
@@ -151,8 +152,8 @@ TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {
   EXPECT_EQ(poor.summary.worst.size(), 3u);
   EXPECT_EQ(poor.summary.worst[0].q, poor.summary.min);
   ASSERT_EQ(poor.broken.size(), 1u);
-  EXPECT_TRUE(says(poor.broken, "frozen boundary too near"));
-  for (BadFace& b : bad) b.cause = "input angle of 9 degrees";
+  EXPECT_TRUE(says(poor.broken, "boundary of the zone too near"));
+  for (BadFace& b : bad) b.cause = {Cause::Kind::kInputAngle, "input angle of 9 degrees"};
   const QualityVerdict excused = quality_of(m.outcome(), bad, 0.5);
   EXPECT_TRUE(excused.broken.empty());
   EXPECT_EQ(excused.warnings.size(), 1u);

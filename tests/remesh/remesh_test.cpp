@@ -100,12 +100,14 @@ TEST(Remesh, ClosedCurvesAreResampledEvenly) {
   cut::split(scene, 0, [](Vec3 p) { return std::hypot(p.x - 0.97, p.y - 1.03) - 0.52; });
   const Trial t = trial(std::move(scene), 4);
   expect_fit(t, 0.5, 0.85);
+  const auto on_circle = [](Vec3 p) { return std::abs(std::hypot(p.x - 0.97, p.y - 1.03) - 0.52) < 0.01; };
   double shortest = 1, longest = 0;
-  for (const auto& v : t.result.complex.face)
+  for (std::size_t f = 0; f < t.result.complex.n_faces(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId a = v[k], b = v[(k + 1) % 3];
-      if (!t.result.on_junction[a.value] || !t.result.on_junction[b.value]) continue;
-      const double d = distance(t.result.complex.position[a.value], t.result.complex.position[b.value]);
+      const auto corners = t.result.complex.corners(FaceId(f));
+      const Vec3 a = corners[k], b = corners[(k + 1) % 3];
+      if (!on_circle(a) || !on_circle(b)) continue;
+      const double d = distance(a, b);
       shortest = std::min(shortest, d), longest = std::max(longest, d);
     }
   EXPECT_LE(longest, 2 * shortest);
@@ -163,7 +165,8 @@ TEST(Remesh, SharpInputAngleIsReportedWithItsCause) {
   const Trial t = trial(std::move(scene), 3);
   EXPECT_EQ(broken_laws(t), std::vector<std::string>{});
   ASSERT_FALSE(t.result.bad.empty());
-  EXPECT_EQ(t.result.bad.front().cause.substr(0, 14), "input angle of");
+  EXPECT_EQ(t.result.bad.front().cause.kind, Cause::Kind::kInputAngle);
+  EXPECT_EQ(t.result.bad.front().cause.text.substr(0, 14), "input angle of");
 }
 
 }  // namespace
