@@ -20,11 +20,15 @@ struct InputSummary {
   std::uint64_t groups = 0;
 };
 
+/// A curve along which inputs are joined, or a single node where they are joined in no curve.
 struct PolylineSummary {
+  /// "crossing": every input goes on beyond the curve on both sides; "touching": one of them ends on
+  /// it; "point": a single node.
+  std::string kind;
   bool closed = false;
   double length = 0;
   std::uint64_t nodes = 0, corners = 0;
-  std::vector<std::uint32_t> inputs;  // the inputs that meet along it
+  std::vector<std::uint32_t> inputs;  // the inputs that meet along it, ascending
 };
 
 /// A place in the merged mesh where something is not as it should be.

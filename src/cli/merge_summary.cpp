@@ -22,20 +22,43 @@ std::string input_name(const MergeArguments& arguments, std::size_t input) {
   return printable(std::filesystem::path(path).filename().string());
 }
 
-std::string junction(const Report& report, const MergeArguments& arguments) {
+/// What polylines amount to.
+struct Met {
+  std::size_t curves = 0, points = 0, closed = 0;
   double length = 0;
-  std::size_t closed = 0;
-  for (const PolylineSummary& p : report.junction) length += p.length, closed += p.closed ? 1 : 0;
-  std::string text = fmt::format("{}, total length {}; {} closed", counted(report.junction.size(), "curve", "curves"),
-                                 figure(length), closed);
+  std::map<std::string, std::size_t> of_kind;  // curves
+
+  void add(const PolylineSummary& p) {
+    if (p.kind == "point") {
+      ++points;
+      return;
+    }
+    ++curves, ++of_kind[p.kind], closed += p.closed ? 1 : 0, length += p.length;
+  }
+  [[nodiscard]] std::string kinds() const {
+    std::string text;
+    for (const auto& [kind, n] : of_kind) text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", n, kind);
+    return text.empty() ? text : text + ")";
+  }
+  [[nodiscard]] std::string single_nodes() const {
+    return points == 0 ? std::string{} : fmt::format("; {}", counted(points, "single node", "single nodes"));
+  }
+};
+
+std::string junction(const Report& report, const MergeArguments& arguments) {
+  Met all;
+  for (const PolylineSummary& p : report.junction) all.add(p);
+  std::string text = fmt::format("{}{}, total length {}; {} closed{}", counted(all.curves, "curve", "curves"),
+                                 all.kinds(), figure(all.length), all.closed, all.single_nodes());
   for (std::size_t part = 1; part <= arguments.parts.size(); ++part) {
-    std::size_t n = 0;
-    double of_part = 0;
+    Met of_part;
     for (const PolylineSummary& p : report.junction)
-      if (std::ranges::find(p.inputs, part) != p.inputs.end()) ++n, of_part += p.length;
-    text += fmt::format(
-        "\n{}: {}", input_name(arguments, part),
-        n == 0 ? "meets nothing" : fmt::format("{}, length {}", counted(n, "curve", "curves"), figure(of_part)));
+      if (std::ranges::find(p.inputs, part) != p.inputs.end()) of_part.add(p);
+    const bool nothing = of_part.curves + of_part.points == 0;
+    text += fmt::format("\n{}: {}", input_name(arguments, part),
+                        nothing ? "meets nothing"
+                                : fmt::format("{}, length {}{}", counted(of_part.curves, "curve", "curves"),
+                                              figure(of_part.length), of_part.single_nodes()));
   }
   return text;
 }

@@ -5,7 +5,14 @@
 namespace meshgraft {
 namespace {
 
-/// By vertex: 1 if it has faces of several components.
+template <class T>
+void make_distinct(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> shared_vertices(const Complex& complex) {
   std::vector<std::uint32_t> first(complex.n_vertices(), VertexId::kNone);
   std::vector<std::uint8_t> shared(complex.n_vertices());
@@ -16,14 +23,6 @@ std::vector<std::uint8_t> shared_vertices(const Complex& complex) {
     }
   return shared;
 }
-
-template <class T>
-void make_distinct(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-}  // namespace
 
 void find_shared(Corefined& out) {
   const Complex& complex = out.complex;

@@ -1,9 +1,15 @@
 // What components share once they are conforming.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "intersect/corefine.hpp"
 
 namespace meshgraft {
+
+/// By vertex: 1 if it has faces of several components.
+[[nodiscard]] std::vector<std::uint8_t> shared_vertices(const Complex& complex);
 
 /// Fills junction_edges, junction_points and met from the complex.
 void find_shared(Corefined& corefined);

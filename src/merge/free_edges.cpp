@@ -90,7 +90,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   std::vector<Segment> old_segments, new_segments;
   for (const EdgeUse& e : old_edges) old_segments.push_back(segment(before, e.low, e.high));
   for (const EdgeUse& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
-  for (const JunctionEdge& e : junction_edges(after)) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
+  for (const JunctionEdge& e : junction_of(after).edges) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
   const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments));
 
   const auto matches = [&](const Complex& complex, const EdgeUse& e, std::span<const NodePair> known,

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "intersect/shared.hpp"
 #include "merge/edges.hpp"
 
 namespace meshgraft {
@@ -34,7 +36,7 @@ class Chainer {
 
   bool is_end(VertexId v) const {
     const auto edges = edges_at(v);
-    return edges.size() != 2 || edges_[edges[0].second].inputs != edges_[edges[1].second].inputs;
+    return edges.size() != 2 || !edges_[edges[0].second].continues(edges_[edges[1].second]);
   }
 
   bool is_turn(VertexId before, VertexId v, VertexId after) const {
@@ -45,6 +47,7 @@ class Chainer {
 
   PolylineSummary walk(std::uint32_t e, VertexId start) {
     PolylineSummary line;
+    line.kind = edges_[e].crossing ? "crossing" : "touching";
     line.inputs = edges_[e].inputs;
     line.nodes = 1;
     VertexId before, v = start, second;
@@ -77,32 +80,48 @@ class Chainer {
   std::vector<std::pair<VertexId, std::uint32_t>> at_;  // ascending
 };
 
-}  // namespace
-
-std::vector<JunctionEdge> junction_edges(const Complex& complex) {
-  std::vector<std::uint32_t> first(complex.n_vertices(), 0xFFFFFFFF);
-  std::vector<std::uint8_t> shared(complex.n_vertices());
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    for (const VertexId v : complex.face[f]) {
-      std::uint32_t& component = first[v.value];
-      if (component == 0xFFFFFFFF) component = complex.component[f];
-      if (component != complex.component[f]) shared[v.value] = 1;
-    }
-  std::vector<JunctionEdge> edges;
-  const std::vector<EdgeUse> uses = edge_uses(complex, shared);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    std::vector<std::uint32_t> inputs;
-    for (const EdgeUse& use : edge) inputs.push_back(complex.component[use.face.value]);
-    std::sort(inputs.begin(), inputs.end());
-    inputs.erase(std::unique(inputs.begin(), inputs.end()), inputs.end());
-    if (inputs.size() > 1) edges.push_back({{edge[0].low, edge[0].high}, inputs});
-  });
-  return edges;
+/// `inputs`: one entry for each face.
+bool each_occurs_twice(const std::vector<std::uint32_t>& inputs) {
+  return std::ranges::all_of(inputs, [&](std::uint32_t k) { return std::ranges::count(inputs, k) > 1; });
 }
 
-std::vector<PolylineSummary> polylines_of(const Complex& complex, std::span<const JunctionEdge> edges,
+void make_distinct(std::vector<std::uint32_t>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}  // namespace
+
+Junction junction_of(const Complex& complex) {
+  const std::vector<std::uint8_t> shared = shared_vertices(complex);
+  Junction junction;
+  std::vector<std::uint8_t> on_edge(complex.n_vertices());
+  const std::vector<EdgeUse> uses = edge_uses(complex, shared);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    JunctionEdge e{{edge[0].low, edge[0].high}, {}};
+    for (const EdgeUse& use : edge) e.inputs.push_back(complex.component[use.face.value]);
+    e.crossing = each_occurs_twice(e.inputs);
+    make_distinct(e.inputs);
+    if (e.inputs.size() < 2) return;
+    for (const VertexId v : e.ends) on_edge[v.value] = 1;
+    junction.edges.push_back(std::move(e));
+  });
+  std::map<VertexId, std::vector<std::uint32_t>> points;
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    for (const VertexId v : complex.face[f])
+      if (shared[v.value] && !on_edge[v.value]) points[v].push_back(complex.component[f]);
+  for (auto& [v, inputs] : points) {
+    make_distinct(inputs);
+    junction.points.push_back({v, std::move(inputs)});
+  }
+  return junction;
+}
+
+std::vector<PolylineSummary> polylines_of(const Complex& complex, const Junction& junction,
                                           const JunctionSummaryOptions& options) {
-  return Chainer(complex, edges, options).run();
+  std::vector<PolylineSummary> all = Chainer(complex, junction.edges, options).run();
+  for (const JunctionPoint& p : junction.points) all.push_back({"point", false, 0, 1, 1, p.inputs});
+  return all;
 }
 
 }  // namespace meshgraft

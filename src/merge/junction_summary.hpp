@@ -13,18 +13,34 @@ namespace meshgraft {
 struct JunctionEdge {
   std::array<VertexId, 2> ends;       // ascending
   std::vector<std::uint32_t> inputs;  // ascending
+  bool crossing = false;              // each input has two faces or more on it
+  /// Whether a polyline may go on from one to the other.
+  [[nodiscard]] bool continues(const JunctionEdge& next) const {
+    return inputs == next.inputs && crossing == next.crossing;
+  }
 };
 
-/// Ascending by ends.
-[[nodiscard]] std::vector<JunctionEdge> junction_edges(const Complex& complex);
+/// A vertex of the final complex with faces of several inputs, on no junction edge.
+struct JunctionPoint {
+  VertexId vertex;
+  std::vector<std::uint32_t> inputs;  // ascending
+};
+
+struct Junction {
+  std::vector<JunctionEdge> edges;    // ascending by ends
+  std::vector<JunctionPoint> points;  // ascending by vertex
+};
+
+[[nodiscard]] Junction junction_of(const Complex& complex);
 
 struct JunctionSummaryOptions {
   double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;  // radians; sharper turns count as corners (5.3)
 };
 
-/// Chains the edges to polylines. A polyline ends where other than two edges of the same inputs
-/// meet; its corners are its ends and its sharp turns. Order: by smallest vertex.
-[[nodiscard]] std::vector<PolylineSummary> polylines_of(const Complex& complex, std::span<const JunctionEdge> edges,
+/// Chains the edges to polylines; the points follow. A polyline ends where other than two edges of
+/// the same inputs and kind meet; its corners are its ends and its sharp turns. Order: open ones
+/// first, by smallest vertex.
+[[nodiscard]] std::vector<PolylineSummary> polylines_of(const Complex& complex, const Junction& junction,
                                                         const JunctionSummaryOptions& options = {});
 
 }  // namespace meshgraft

@@ -17,7 +17,8 @@ Json json(const InputSummary& s) {
 }
 
 Json json(const PolylineSummary& p) {
-  return {{"closed", p.closed}, {"length", p.length}, {"nodes", p.nodes}, {"corners", p.corners}, {"inputs", p.inputs}};
+  return {{"kind", p.kind},   {"closed", p.closed},   {"length", p.length},
+          {"nodes", p.nodes}, {"corners", p.corners}, {"inputs", p.inputs}};
 }
 
 Json json(const QualityPlace& p) {

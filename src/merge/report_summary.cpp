@@ -95,7 +95,7 @@ InputSummary counts_of(const Model& model) {
 
 void summarise(const Outcome& outcome, Report& report) {
   count_changes(outcome, report);
-  report.junction = polylines_of(outcome.final_complex, junction_edges(outcome.final_complex));
+  report.junction = polylines_of(outcome.final_complex, junction_of(outcome.final_complex));
   list_labels(outcome, report);
   list_moves(outcome, report);
 }

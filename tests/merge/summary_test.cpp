@@ -1,6 +1,7 @@
 // The junction as polylines, the report as JSON, errors in the words of the user.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "merge/faults.hpp"
@@ -14,17 +15,17 @@ namespace {
 /// Vertices on given places, each edge carrying faces of the given inputs.
 struct Net {
   Complex complex;
-  std::vector<JunctionEdge> edges;
+  Junction junction;
   std::size_t add(Vec3 p) {
     complex.add_vertex(p, {}, VertexState::kOpen, GroupSets::kEmpty);
     return complex.n_vertices() - 1;
   }
-  void join(std::size_t a, std::size_t b, std::vector<std::uint32_t> inputs = {0, 1}) {
-    edges.push_back({{VertexId(std::min(a, b)), VertexId(std::max(a, b))}, std::move(inputs)});
+  void join(std::size_t a, std::size_t b, std::vector<std::uint32_t> inputs = {0, 1}, bool crossing = false) {
+    junction.edges.push_back({{VertexId(std::min(a, b)), VertexId(std::max(a, b))}, std::move(inputs), crossing});
   }
   std::vector<PolylineSummary> lines() {
-    std::ranges::sort(edges, {}, &JunctionEdge::ends);
-    return polylines_of(complex, edges);
+    std::ranges::sort(junction.edges, {}, &JunctionEdge::ends);
+    return polylines_of(complex, junction);
   }
 };
 
@@ -64,11 +65,60 @@ TEST(JunctionSummary, LinesEndAtBranchesAndWhereOtherInputsMeet) {
   EXPECT_DOUBLE_EQ(length, 4);
 }
 
+TEST(JunctionSummary, LinesEndWhereAPartNoLongerGoesThrough) {
+  Net net;
+  const auto a = net.add({0, 0, 0}), b = net.add({1, 0, 0}), c = net.add({2, 0, 0});
+  net.join(a, b, {0, 1}, true), net.join(b, c, {0, 1}, false);
+  const auto lines = net.lines();
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].kind, "crossing");
+  EXPECT_EQ(lines[1].kind, "touching");
+}
+
+/// A complex of triangles of two inputs on given places; equal places are one vertex.
+struct Fan {
+  Complex complex;
+  std::map<std::array<double, 3>, VertexId> at;
+  VertexId vertex(Vec3 p) {
+    const auto [it, fresh] = at.try_emplace({p.x, p.y, p.z}, VertexId(complex.n_vertices()));
+    if (fresh) complex.add_vertex(p, {}, VertexState::kOpen, GroupSets::kEmpty);
+    return it->second;
+  }
+  void add(std::uint32_t input, Vec3 a, Vec3 b, Vec3 c) {
+    complex.face.push_back({vertex(a), vertex(b), vertex(c)});
+    complex.component.push_back(input);
+  }
+};
+
+TEST(JunctionSummary, TheFacesOnALineTellCrossingFromTouching) {
+  Fan t;  // two faces of the base on the edge, and one of the part
+  t.add(0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), t.add(0, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
+  t.add(1, {0, 0, 0}, {1, 0, 0}, {0, 0, 1});
+  auto lines = polylines_of(t.complex, junction_of(t.complex));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].kind, "touching");
+  EXPECT_EQ(lines[0].inputs, (std::vector<std::uint32_t>{0, 1}));
+  t.add(1, {0, 0, 0}, {1, 0, 0}, {0, 0, -1});
+  lines = polylines_of(t.complex, junction_of(t.complex));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].kind, "crossing");
+}
+
+TEST(JunctionSummary, ANodeWhereMeshesMeetWithoutALineIsAPoint) {
+  Fan t;
+  t.add(0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), t.add(1, {0, 0, 0}, {1, 0, 1}, {0, 1, 1});
+  const auto lines = polylines_of(t.complex, junction_of(t.complex));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].kind, "point");
+  EXPECT_EQ(lines[0].nodes, 1u);
+  EXPECT_EQ(lines[0].inputs, (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST(ReportJson, ParsesAndHoldsEveryField) {
   Report r;
   r.version = "1";
   r.inputs.push_back({"caf\xe9.unv", "abc", 1, 2, 3, {{"triangle", 3}}, 1});  // Latin-1, not UTF-8
-  r.junction.push_back({true, 2.5, 10, 2, {0, 1}});
+  r.junction.push_back({"crossing", true, 2.5, 10, 2, {0, 1}});
   r.quality.worst.push_back({0.4, {1, 2, 3}, 57, "input angle of 9 degrees"});
   r.groups.push_back({"A \"quoted\"\n", "faces", 1, 2, 1.0 / 3, 0.25, 0, 0, "untouched"});
   r.labels.push_back({1, "node", 5, 100'005});
@@ -80,6 +130,8 @@ TEST(ReportJson, ParsesAndHoldsEveryField) {
   const auto json = nlohmann::json::parse(to_json(r));
   EXPECT_EQ(json["groups"][0]["area_before"].get<double>(), 1.0 / 3);
   EXPECT_EQ(json["groups"][0]["name"], "A \"quoted\"\n");
+  EXPECT_EQ(json["junction"][0]["kind"], "crossing");
+  EXPECT_EQ(json["junction"][0]["inputs"], nlohmann::json({0, 1}));
   EXPECT_EQ(json["quality"]["worst"][0]["element"], 57);
   EXPECT_EQ(json["labels"][0]["to"], 100'005);
   EXPECT_EQ(json["inputs"][0]["elements_by_kind"]["triangle"], 3);
