@@ -59,7 +59,7 @@ Result<AtomicOutput> AtomicOutput::create(const std::string& path) {
   std::string name;
   output.fd_ = create_beside(output.target_, name);
   if (output.fd_ < 0) return output.failed("cannot create", errno);
-  output.temporary_ = name;
+  output.temporary_ = name, output.replaces_ = exists;
   if (exists && ::fchmod(output.fd_, status.st_mode & 0777) != 0) return output.failed("cannot create", errno);
   return output;
 }
@@ -68,6 +68,7 @@ AtomicOutput::AtomicOutput(AtomicOutput&& other) noexcept
     : path_(std::move(other.path_)),
       target_(std::move(other.target_)),
       temporary_(std::exchange(other.temporary_, {})),
+      replaces_(other.replaces_),
       fd_(std::exchange(other.fd_, -1)) {}
 
 AtomicOutput::~AtomicOutput() {
@@ -101,11 +102,11 @@ Result<void> AtomicOutput::write(std::span<const std::string_view> pieces) {
 
 Result<void> AtomicOutput::commit() {
   if (temporary_.empty()) return {};
-  if (::fsync(fd_) != 0) return failed("cannot write", errno);
+  if (replaces_ && ::fsync(fd_) != 0) return failed("cannot write", errno);
   if (::close(std::exchange(fd_, -1)) != 0) return failed("cannot write", errno);
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed("cannot write", errno);
   temporary_.clear();
-  sync_directory(target_);
+  if (replaces_) sync_directory(target_);
   return {};
 }
 

@@ -9,9 +9,12 @@
 
 namespace meshgraft {
 
-/// Written beside its final place, flushed to the disk, then renamed; on any failure nothing is
-/// left behind and what was there before stays. Something that is not a regular file (/dev/null, a
-/// pipe) is written directly.
+/// Written beside its final place, then renamed; on any failure nothing is left behind and what was there
+/// before stays. Something that is not a regular file (/dev/null, a pipe) is written directly.
+///
+/// Only where it takes the place of another file is it flushed to the disk first: if the power fails, the
+/// one or the other is there. A new file has nothing to lose, and can be made again; flushing would take
+/// several times as long as writing it.
 class AtomicOutput {
  public:
   /// Error kCannotWrite, with the reason of the system.
@@ -33,6 +36,7 @@ class AtomicOutput {
   std::string path_;       // as given, for messages
   std::string target_;     // links resolved
   std::string temporary_;  // empty when written directly
+  bool replaces_ = false;  // there was a file before
   int fd_ = -1;
 };
 
