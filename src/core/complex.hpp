@@ -1,6 +1,7 @@
 // The working mesh of a merge: the faces of all inputs near the junction, as one complex.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -24,16 +25,32 @@ enum class VertexState : std::uint8_t {
   kFrozen,  // some of its faces may be missing: neither it nor any face on it may change
 };
 
+/// Which components of a complex are joined where they meet, and which hang together before. By
+/// default each is a mesh of its own and is joined to every other.
+struct Joins {
+  std::vector<std::uint32_t> mesh;                  // by component: alike where they share nodes in the input
+  std::vector<std::array<std::uint32_t, 2>> pairs;  // ascending; if empty, all components of different meshes
+
+  [[nodiscard]] std::uint32_t mesh_of(std::uint32_t component) const {
+    return mesh.empty() ? component : mesh[component];
+  }
+  [[nodiscard]] bool are_joined(std::uint32_t a, std::uint32_t b) const {
+    if (pairs.empty()) return mesh_of(a) != mesh_of(b);
+    return std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(a, b), std::max(a, b)});
+  }
+};
+
 /// n vertices, m faces, k lines. Edges may have any number of faces; orientation of neighbours may
-/// differ. Group sets are of merged groups (Graft::groups), so they compare across inputs. The
-/// component of an input is its number.
+/// differ. Group sets are of merged groups (Graft::groups), so they compare across inputs.
 struct Complex {
   std::vector<Vec3> position;             // n
   std::vector<NodeRef> node;              // n, the input node it is; invalid: a new one
   std::vector<VertexState> state;         // n
   std::vector<GroupSetId> vertex_groups;  // n, node groups, whatever component they come from
   /// The same by component, for vertices in which components meet and which are in any group: a
-  /// group of one mesh goes on along that mesh only. See groups_on.
+  /// group of one mesh goes on along that mesh only. kOwn stands for the components that have the
+  /// vertex in the input. See groups_on.
+  static constexpr std::uint32_t kOwn = 0xFFFFFFFF;
   std::map<std::pair<VertexId, std::uint32_t>, GroupSetId> component_groups;
 
   std::vector<std::array<VertexId, 3>> face;  // m
@@ -55,6 +72,8 @@ struct Complex {
   /// triangle): both ends are pinned and the edge may not be split or removed.
   std::vector<std::array<VertexId, 2>> fixed_edges;
 
+  Joins joins;  // of the components
+
   [[nodiscard]] std::size_t n_vertices() const { return position.size(); }
   [[nodiscard]] std::size_t n_faces() const { return face.size(); }
   [[nodiscard]] std::array<Vec3, 3> corners(FaceId f) const {
@@ -65,8 +84,9 @@ struct Complex {
   /// Node groups that a vertex is in as a point of one component.
   [[nodiscard]] GroupSetId groups_on(std::uint32_t of, VertexId v) const {
     if (!has_component_groups(v)) return vertex_groups[v.value];
-    const auto own = component_groups.find({v, of});
-    return own == component_groups.end() ? GroupSets::kEmpty : own->second;
+    auto groups = component_groups.find({v, of});
+    if (groups == component_groups.end()) groups = component_groups.find({v, kOwn});
+    return groups == component_groups.end() ? GroupSets::kEmpty : groups->second;
   }
   /// The vertex is a point of that component too, in these groups.
   void join_groups(VertexId v, std::uint32_t of, GroupSetId groups, GroupSets& sets) {
@@ -74,7 +94,7 @@ struct Complex {
     const GroupSetId before = all;
     all = sets.unite(all, groups);
     if (all == GroupSets::kEmpty) return;
-    if (!has_component_groups(v) && node[v.value].valid()) component_groups[{v, node[v.value].input}] = before;
+    if (!has_component_groups(v) && node[v.value].valid()) component_groups[{v, kOwn}] = before;
     GroupSetId& own = component_groups.try_emplace({v, of}, GroupSets::kEmpty).first->second;
     own = sets.unite(own, groups);
   }

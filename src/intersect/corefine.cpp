@@ -1,201 +1,83 @@
 #include "intersect/corefine.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include "geometry/quality.hpp"
-#include "intersect/doubled.hpp"
-#include "intersect/imprint.hpp"
-#include "intersect/open_gaps.hpp"
-#include "intersect/overlap.hpp"
+#include "intersect/assembly.hpp"
+#include "intersect/component_pairs.hpp"
+#include "intersect/join.hpp"
 #include "intersect/shared.hpp"
 
 namespace meshgraft {
 namespace {
 
-/// Bending side 1 to side 0 by up to the tolerance can make it meet side 0 anew. Later rounds look
-/// at what is there then, without tolerance, until nothing new is found. Where no gap was closed,
-/// nothing was bent and one round is enough.
-constexpr int kMaxRounds = 6;
-constexpr int kMaxAttempts = 16;  // faces at which gaps are given up, per component
+double largest_coordinate(const Complex& complex) {
+  double largest = 0;
+  for (const Vec3 p : complex.position) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest;
+}
+
+std::vector<double> mean_edge_lengths(const Complex& complex) {
+  std::vector<double> size;
+  size.reserve(complex.n_faces());
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) size.push_back(mean_edge_length(complex.corners(FaceId(f))));
+  return size;
+}
 
 class Corefiner {
  public:
   Corefiner(const Complex& complex, GroupSets& groups, const CorefineOptions& options)
-      : complex_(complex), groups_(groups), options_(options) {
-    for (std::size_t f = 0; f < complex.n_faces(); ++f)
-      marks_.size.push_back(mean_edge_length(complex.corners(FaceId(f))));
-    marks_.touched.assign(complex.n_faces(), 0);
-    marks_.active.assign(complex.n_faces(), 1);
-    marks_.from.resize(complex.n_faces());
-  }
+      : groups_(groups),
+        options_(options),
+        largest_(largest_coordinate(complex)),
+        size_(mean_edge_lengths(complex)),
+        near_(near_faces(complex, size_, SnapRule(largest_, options, true))),
+        assembly_(complex, size_) {}
 
   tl::expected<Corefined, JunctionFault> run() {
-    std::vector<std::uint32_t> components = complex_.component;
-    std::sort(components.begin(), components.end());
-    components.erase(std::unique(components.begin(), components.end()), components.end());
-    for (std::size_t i = 1; i < components.size(); ++i)
-      if (auto fault = join(components[i])) return tl::unexpected(std::move(*fault));
+    for (std::uint32_t component = 0; component < near_.size(); ++component)
+      if (auto fault = join_one(component)) return tl::unexpected(std::move(*fault));
     return result();
   }
 
  private:
-  /// Joins one component to all earlier ones. Where details smaller than the tolerance make a face
-  /// impossible to cut along what was declared on it, the gaps at that face are left as they are,
-  /// and then those at the faces around it.
-  std::optional<JunctionFault> join(std::uint32_t component) {
-    for (std::size_t f = 0; f < complex_.n_faces(); ++f) marks_.active[f] = 1, marks_.from[f] = FaceId(f);
-    const Complex complex = complex_;
-    const FaceMarks marks = marks_;
-    const auto moved_from = moved_from_;
-    const std::size_t n_replaced = replaced_.size(), n_left_open = left_open_.size();
-    std::vector<std::uint8_t> exact(complex.n_faces());
-    for (int attempt = 0;; ++attempt) {
-      auto failed = all_rounds(component, exact);
-      if (!failed) return std::nullopt;
-      if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(complex, failed->face, exact))
-        return std::move(failed->fault);
-      complex_ = complex, marks_ = marks;
-      moved_from_ = moved_from, replaced_.resize(n_replaced), left_open_.resize(n_left_open);
-    }
-  }
-
-  std::optional<ImprintFault> all_rounds(std::uint32_t component, std::span<const std::uint8_t> exact) {
-    settled_ = false;
-    for (int round = 0; !settled_ && round < kMaxRounds; ++round)
-      if (auto failed = meet(component, round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
-    if (settled_) return std::nullopt;
-    return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
-  }
-
-  /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it
-  /// was before the first round.
-  std::optional<ImprintFault> meet(std::uint32_t component, int round, std::span<const std::uint8_t> exact) {
-    const SnapRule rule(complex_, options_, round == 0);
-    const std::array<std::vector<FaceId>, 2> faces = active_faces(component);
-    const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
-    settled_ = pairs.empty();
-    if (settled_) return std::nullopt;
-    const std::array<std::vector<std::uint8_t>, 2> own = owners(component);
-    Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
-    declare_vertices(m);
-    declare_edges(m);
-    find_crossings(m);
-    if (round == 0) {
-      const auto open = find_open_gaps(m);
-      left_open_.insert(left_open_.end(), open.begin(), open.end());
-    }
-    settled_ = round > 0 && !has_news(m);
-    if (settled_) return std::nullopt;
-    remember_moves(m);
-    const auto imprint = link_symbols(m, options_);
-    if (!imprint) {
-      // In the first round the inputs overlap; later it is something that bending has made.
-      const FaceId g = m.side[1].face(imprint.error().faces[1]);
-      return ImprintFault{overlap_fault(m, imprint.error().faces), round == 0 ? FaceId{} : marks_.from[g.value]};
-    }
-    if (auto fault = find_flat_face(m, *imprint)) return fault;
-    if (auto fault = apply(m, *imprint, marks_)) {
-      if (!fault->face.valid()) return fault;
-      if (fault->fault.code == ErrorCode::kJunctionNotResolved)
-        if (auto doubled = doubled_faces_at(m, fault->face)) return ImprintFault{std::move(*doubled), {}};
-      fault->face = marks_.from[fault->face.value];
-      return fault;
-    }
-    if (auto doubled = find_doubled_face(complex_, marks_.active))
-      return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
-    settled_ = !m.has_closed_gap;
-    return std::nullopt;
-  }
-
-  /// Marks a face, or if it is marked already the unmarked ones that share a vertex with it. False
-  /// if there are none.
-  static bool make_exact(const Complex& complex, FaceId face, std::vector<std::uint8_t>& exact) {
-    if (!exact[face.value]) {
-      exact[face.value] = 1;
-      return true;
-    }
-    bool any = false;
-    const auto& v = complex.face[face.value];
-    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
-      const auto& w = complex.face[f];
-      if (exact[f] || std::find_first_of(w.begin(), w.end(), v.begin(), v.end()) == w.end()) continue;
-      exact[f] = 1, any = true;
-    }
-    return any;
-  }
-
-  [[nodiscard]] std::array<std::vector<FaceId>, 2> active_faces(std::uint32_t component) const {
-    std::array<std::vector<FaceId>, 2> faces;
-    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
-      if (marks_.active[f] && complex_.component[f] <= component)
-        faces[complex_.component[f] == component].push_back(FaceId(f));
-    return faces;
-  }
-
-  [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners(std::uint32_t component) const {
-    std::array<std::vector<std::uint8_t>, 2> own;
-    for (const std::uint32_t c : complex_.component) own[0].push_back(c < component), own[1].push_back(c == component);
-    return own;
-  }
-
-  /// True if there is more than the vertices that both sides have already.
-  static bool has_news(const Meeting& m) {
-    return std::any_of(m.symbols.begin(), m.symbols.end(), [](const Symbol& s) {
-      return s.on[0].kind != Carrier::kVertex || s.on[1].kind != Carrier::kVertex || s.on[0].id != s.on[1].id;
-    });
-  }
-
-  void remember_moves(const Meeting& m) {
-    for (const auto& [v, from] : m.moved) moved_from_.emplace(v, from);
-    for (const auto& [y, x] : m.replaced) {
-      moved_from_.erase(y);
-      if (complex_.node[y.value].valid()) replaced_.push_back({complex_.node[y.value], x});
-    }
-  }
-
-  /// A face without area cannot be cut; such faces of the input are named before it is tried.
-  [[nodiscard]] std::optional<ImprintFault> find_flat_face(const Meeting& m,
-                                                           const std::array<Imprint, 2>& imprint) const {
-    for (const std::size_t s : kSides)
-      for (LocalFace f = 0; f < m.side[s].n_faces(); ++f) {
-        const FaceId id = m.side[s].face(f);
-        if (!imprint[s].touched[f] || marks_.touched[id.value]) continue;
-        const Triangle t = m.triangle(s, f);
-        const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
-        if (2 * area(t) <= longest * m.rule.at(marks_.size[id.value]).weld)
-          return ImprintFault{{ErrorCode::kDegenerateFace,
-                               "a face without area meets another mesh",
-                               {complex_.parent[id.value]},
-                               centroid(t)},
-                              marks_.from[id.value]};
-      }
+  /// Joins a component to all earlier ones, in what is around the places where they are near.
+  std::optional<JunctionFault> join_one(std::uint32_t component) {
+    const NearFaces& near = near_[component];
+    if (near.own.empty()) return std::nullopt;
+    std::vector<FaceId> faces;
+    std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
+                   std::back_inserter(faces));
+    const CutOut before = assembly_.around(faces);
+    Joining joining{before.complex, before.marks, {}, {}, {}};
+    if (auto fault = join(joining, component, largest_, groups_, options_)) return fault;
+    const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
+    for (const auto& [v, from] : joining.moved)
+      if (const NodeRef node = joining.complex.node[v.value]; node.valid())
+        out_.moves.push_back({node, vertex[v.value], from, joining.complex.position[v.value]});
+    for (const auto& [y, x] : joining.replaced)
+      if (const NodeRef node = joining.complex.node[y.value]; node.valid())
+        out_.replaced.push_back({node, vertex[x.value]});
+    out_.left_open.insert(out_.left_open.end(), joining.left_open.begin(), joining.left_open.end());
     return std::nullopt;
   }
 
   Corefined result() {
-    Corefined out;
-    for (const auto& [v, from] : moved_from_)
-      if (complex_.node[v.value].valid())
-        out.moves.push_back({complex_.node[v.value], v, from, complex_.position[v.value]});
-    std::sort(out.moves.begin(), out.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-    std::sort(replaced_.begin(), replaced_.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-    out.replaced = std::move(replaced_);
-    out.left_open = std::move(left_open_);
-    out.touched = std::move(marks_.touched);
-    out.complex = std::move(complex_);
-    find_shared(out);
-    return out;
+    std::sort(out_.moves.begin(), out_.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    std::sort(out_.replaced.begin(), out_.replaced.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    out_.complex = assembly_.finished(out_.touched);
+    find_shared(out_);
+    return std::move(out_);
   }
 
-  Complex complex_;
   GroupSets& groups_;
   const CorefineOptions& options_;
-  FaceMarks marks_;
-  std::map<VertexId, Vec3> moved_from_;
-  std::vector<Corefined::Replaced> replaced_;
-  std::vector<Corefined::OpenGap> left_open_;
-  bool settled_ = false;
+  double largest_;               // coordinate, by magnitude
+  std::vector<double> size_;     // by face, its mean edge length
+  std::vector<NearFaces> near_;  // by component
+  Assembly assembly_;
+  Corefined out_;
 };
 
 }  // namespace

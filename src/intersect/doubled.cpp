@@ -27,7 +27,7 @@ bool coincide(const Triangle& t, const Triangle& u, double gap) {
       t, [&](Vec3 p) { return std::ranges::any_of(u, [&](Vec3 q) { return distance(p, q) <= gap; }); });
 }
 
-/// Two faces of one input and one side in the same place, both overlapping a box.
+/// Two faces of one component and one side in the same place, both overlapping a box.
 std::optional<JunctionFault> doubled_faces_in(const Meeting& m, std::size_t s, const Box& within) {
   std::vector<LocalFace> near;
   for (LocalFace f = 0; f < m.side[s].n_faces(); ++f)
@@ -35,8 +35,8 @@ std::optional<JunctionFault> doubled_faces_in(const Meeting& m, std::size_t s, c
   for (auto f = near.begin(); f != near.end(); ++f)
     for (auto g = f + 1; g != near.end(); ++g) {
       const FaceId a = m.side[s].face(*f), b = m.side[s].face(*g);
-      const ElementRef p = m.complex.parent[a.value], q = m.complex.parent[b.value];
-      if (p.input != q.input || p == q) continue;
+      const bool one_mesh = m.complex.component[a.value] == m.complex.component[b.value];
+      if (!one_mesh || m.complex.parent[a.value] == m.complex.parent[b.value]) continue;
       if (coincide(m.triangle(s, *f), m.triangle(s, *g), m.rule.at(m.size[a.value]).weld))
         return duplicate_fault(m.complex, a, b);
     }

@@ -16,6 +16,11 @@ std::span<const T> range_of(const std::vector<T>& list, K T::*key, K value) {
   return {first, last};
 }
 
+void swap_faces(Complex& a, Complex& b) {
+  std::swap(a.face, b.face), std::swap(a.parent, b.parent), std::swap(a.component, b.component);
+  std::swap(a.face_groups, b.face_groups), std::swap(a.face_attributes, b.face_attributes);
+}
+
 class Imprinter {
  public:
   Imprinter(Meeting& m, const std::array<Imprint, 2>& imprint) : m_(m), imprint_(imprint), by_(m.complex.n_vertices()) {
@@ -30,12 +35,19 @@ class Imprinter {
   }
 
  private:
-  /// Points inside the edge from a to b, in that direction; the edge as it was before the meeting.
-  [[nodiscard]] std::vector<VertexId> points_on(std::size_t s, LocalEdge e, VertexId from) const {
+  /// Points inside the edge between two vertices, from the first on; the edge as it was before the
+  /// meeting. An edge may be one of both sides, and of faces of neither: all take the same points.
+  [[nodiscard]] std::vector<VertexId> points_on(VertexId from, VertexId to) const {
+    std::vector<std::pair<double, VertexId>> found;
+    for (const std::size_t s : kSides)
+      if (const LocalEdge e = m_.side[s].find(from, to); e != kNowhere)
+        for (const Imprint::OnEdge& p : range_of(imprint_[s].on_edges, &Imprint::OnEdge::edge, e))
+          found.emplace_back(p.t, p.vertex);
+    std::sort(found.begin(), found.end());
     std::vector<VertexId> points;
-    for (const Imprint::OnEdge& p : range_of(imprint_[s].on_edges, &Imprint::OnEdge::edge, e))
-      points.push_back(p.vertex);
-    if (from != m_.side[s].ends(e)[0]) std::reverse(points.begin(), points.end());
+    for (const auto& [t, v] : found)
+      if (std::find(points.begin(), points.end(), v) == points.end()) points.push_back(v);
+    if (to < from) std::reverse(points.begin(), points.end());
     return points;
   }
 
@@ -44,7 +56,7 @@ class Imprinter {
       for (const std::size_t s : kSides) {
         const LocalEdge e = m_.side[s].find(edge[0], edge[1]);
         if (e == kNowhere) continue;
-        const std::vector<VertexId> points = points_on(s, e, edge[0]);
+        const std::vector<VertexId> points = points_on(edge[0], edge[1]);
         if (points.empty()) continue;
         const FaceId f = m_.side[s].face(m_.side[s].faces_at_edge(e)[0]);
         return ImprintFault{{ErrorCode::kUnsupportedElement,
@@ -63,13 +75,8 @@ class Imprinter {
     std::vector<Complex::Line> lines;
     for (const Complex::Line& line : m_.complex.lines) {
       std::vector<VertexId> chain{by_[line.ends[0].value]};
-      for (const std::size_t s : kSides) {
-        const LocalEdge e = m_.side[s].find(line.ends[0], line.ends[1]);
-        if (e == kNowhere) continue;
-        const std::vector<VertexId> points = points_on(s, e, line.ends[0]);
-        chain.insert(chain.end(), points.begin(), points.end());
-        break;
-      }
+      const std::vector<VertexId> points = points_on(line.ends[0], line.ends[1]);
+      chain.insert(chain.end(), points.begin(), points.end());
       chain.push_back(by_[line.ends[1].value]);
       for (std::size_t i = 1; i < chain.size(); ++i)
         lines.push_back({{chain[i - 1], chain[i]}, line.parent, line.groups, line.attributes});
@@ -82,16 +89,26 @@ class Imprinter {
     const auto& corners = m_.side[s].corners(f);
     for (std::size_t k = 0; k < 3; ++k) {
       face.corner[k] = by_[corners[k].value];
-      face.on_edge[k] = points_on(s, m_.side[s].edges(f)[k], corners[k]);
+      face.on_edge[k] = points_on(corners[k], corners[(k + 1) % 3]);
     }
     for (const auto& p : range_of(imprint_[s].on_faces, &Imprint::OnFace::face, f)) face.inside.push_back(p.vertex);
     for (const auto& p : range_of(imprint_[s].segments, &Imprint::Segment::face, f)) face.segments.push_back(p.ends);
     return face;
   }
 
-  [[nodiscard]] ImprintFault fault(std::size_t s, LocalFace f) const {
-    const FaceId id = m_.side[s].face(f);
-    const Triangle t = m_.triangle(s, f);
+  /// A face that is not near the other side, with the points on the edges that it shares with those
+  /// that are.
+  [[nodiscard]] FaceToCut beside(const std::array<VertexId, 3>& corners) const {
+    FaceToCut face;
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corner[k] = by_[corners[k].value];
+      face.on_edge[k] = points_on(corners[k], corners[(k + 1) % 3]);
+    }
+    return face;
+  }
+
+  [[nodiscard]] ImprintFault fault(FaceId id) const {
+    const Triangle t = m_.complex.corners(id);
     const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
     const bool flat = area(t) <= 0.5 * longest * m_.rule.at(m_.size[id.value]).weld;
     return {{flat ? ErrorCode::kDegenerateFace : ErrorCode::kJunctionNotResolved,
@@ -104,8 +121,7 @@ class Imprinter {
   std::optional<ImprintFault> rebuild_faces(FaceMarks& marks) {
     Complex& c = m_.complex;
     Complex old;  // the lists of faces as they were
-    std::swap(old.face, c.face), std::swap(old.parent, c.parent), std::swap(old.component, c.component);
-    std::swap(old.face_groups, c.face_groups), std::swap(old.face_attributes, c.face_attributes);
+    swap_faces(old, c);
     FaceMarks now;
     std::array<LocalFace, 2> next{0, 0};
     for (std::size_t f = 0; f < old.face.size(); ++f) {
@@ -117,8 +133,12 @@ class Imprinter {
       std::size_t s = 0;
       while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;
       if (s == 2) {
-        const auto& v = old.face[f];
-        add({by_[v[0].value], by_[v[1].value], by_[v[2].value]}, marks.touched[f], false);
+        const auto pieces = cut(beside(old.face[f]), c.position);
+        if (!pieces) {
+          swap_faces(old, c);
+          return fault(FaceId(f));
+        }
+        for (const auto& v : *pieces) add(v, marks.touched[f], false);
         continue;
       }
       const LocalFace local = next[s]++;
@@ -126,8 +146,8 @@ class Imprinter {
       const FaceToCut face = face_to_cut(s, local);
       const auto pieces = cut(face, c.position);
       if (!pieces) {
-        std::swap(old.face, c.face), std::swap(old.parent, c.parent);
-        return fault(s, local);
+        swap_faces(old, c);
+        return fault(FaceId(f));
       }
       for (const auto& v : *pieces) add(v, touched, true);
     }

@@ -26,8 +26,8 @@ struct ImprintFault {
 /// `marks` follows the faces. Pieces of a face stand where the face stood.
 ///
 /// Faults: kUnsupportedElement if an edge that may not be split has a point, kDegenerateFace or
-/// kJunctionNotResolved if a face cannot be cut. The complex is then left half done, but for the
-/// vertices and parents of its faces.
+/// kJunctionNotResolved if a face cannot be cut. The complex is then left half done, but its
+/// faces are as they were.
 std::optional<ImprintFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks);
 
 }  // namespace meshgraft

@@ -21,12 +21,11 @@ bool contains(const std::array<VertexId, 3>& corners, std::uint32_t v) {
 
 }  // namespace
 
-SnapRule::SnapRule(const Complex& complex, const CorefineOptions& options, bool features)
-    : options_(options), features_(features) {
-  double largest = 0;
-  for (const Vec3 p : complex.position) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  rounding_ = kRounding * largest, noise_ = kNoise * largest;
-}
+SnapRule::SnapRule(double largest_coordinate, const CorefineOptions& options, bool features)
+    : options_(options),
+      features_(features),
+      rounding_(kRounding * largest_coordinate),
+      noise_(kNoise * largest_coordinate) {}
 
 Snap SnapRule::at(double size) const {
   const double weld = std::max(options_.weld_share * size, rounding_);

@@ -43,7 +43,8 @@ struct Snap {
 /// How lengths follow from the sizes of faces.
 class SnapRule {
  public:
-  SnapRule(const Complex& complex, const CorefineOptions& options, bool features);
+  /// `largest_coordinate`, by magnitude: what rounding costs follows from it.
+  SnapRule(double largest_coordinate, const CorefineOptions& options, bool features);
   /// `size`: the smaller of the mean edge lengths of the two input faces.
   [[nodiscard]] Snap at(double size) const;
   /// A vertex nearer than this to where it should be is there.

@@ -1,0 +1,56 @@
+#include "intersect/component_pairs.hpp"
+
+#include <algorithm>
+
+#include "geometry/box_tree.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kReach = 3;  // snap lengths: two that count as near, and one by which a vertex may move
+
+void make_distinct(std::vector<FaceId>& faces) {
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+}
+
+std::size_t n_components(const Complex& complex) {
+  const auto last = std::max_element(complex.component.begin(), complex.component.end());
+  return last == complex.component.end() ? 0 : *last + std::size_t{1};
+}
+
+std::uint32_t largest_component(const Complex& complex) {
+  std::vector<std::size_t> count(n_components(complex));
+  for (const std::uint32_t c : complex.component) ++count[c];
+  return static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
+}
+
+}  // namespace
+
+std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double> size, const SnapRule& rule) {
+  std::vector<NearFaces> near(n_components(complex));
+  if (near.size() < 2) return near;
+  std::vector<Box> boxes(complex.n_faces()), in_tree;
+  std::vector<FaceId> tree_face;
+  const std::uint32_t largest = largest_component(complex);  // not in the tree: it meets nothing of itself
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    for (const Vec3 p : complex.corners(FaceId(f))) boxes[f].add(p);
+    boxes[f] = boxes[f].grown(kReach * rule.at(size[f]).feature);
+    if (complex.component[f] != largest) in_tree.push_back(boxes[f]), tree_face.emplace_back(f);
+  }
+  const BoxTree tree(in_tree);
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    const std::uint32_t c = complex.component[f];
+    tree.overlapping(boxes[f], [&](std::uint32_t i) {
+      const FaceId g = tree_face[i];
+      const std::uint32_t d = complex.component[g.value];
+      if (c == d || !complex.joins.are_joined(c, d)) return;
+      near[std::max(c, d)].own.push_back(c > d ? FaceId(f) : g);
+      near[std::max(c, d)].earlier.push_back(c > d ? g : FaceId(f));
+    });
+  }
+  for (NearFaces& n : near) make_distinct(n.earlier), make_distinct(n.own);
+  return near;
+}
+
+}  // namespace meshgraft

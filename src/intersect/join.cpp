@@ -1,0 +1,188 @@
+#include "intersect/join.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/quality.hpp"
+#include "intersect/doubled.hpp"
+#include "intersect/open_gaps.hpp"
+#include "intersect/overlap.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// Bending side 1 to side 0 by up to the tolerance can make it meet side 0 anew. Later rounds look
+/// at what is there then, without tolerance, until nothing new is found. Where no gap was closed,
+/// nothing was bent and one round is enough.
+constexpr int kMaxRounds = 6;
+constexpr int kMaxAttempts = 16;  // faces at which gaps are given up, per component
+
+class Joiner {
+ public:
+  Joiner(Joining& joining, std::uint32_t component, double largest, GroupSets& groups, const CorefineOptions& options)
+      : joining_(joining),
+        complex_(joining.complex),
+        marks_(joining.marks),
+        component_(component),
+        largest_(largest),
+        groups_(groups),
+        options_(options) {}
+
+  /// Where details smaller than the tolerance make a face impossible to cut along what was declared on
+  /// it, the gaps at that face are left as they are, and then those at the faces around it.
+  std::optional<JunctionFault> run() {
+    const Joining before = joining_;
+    std::vector<std::uint8_t> exact(before.complex.n_faces());
+    for (int attempt = 0;; ++attempt) {
+      auto failed = all_rounds(exact);
+      if (!failed) break;
+      if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(before.complex, failed->face, exact))
+        return std::move(failed->fault);
+      joining_ = before;
+      moved_from_.clear();
+    }
+    joining_.moved.assign(moved_from_.begin(), moved_from_.end());
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<ImprintFault> all_rounds(std::span<const std::uint8_t> exact) {
+    settled_ = false;
+    for (int round = 0; !settled_ && round < kMaxRounds; ++round)
+      if (auto failed = meet(round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
+    if (settled_) return std::nullopt;
+    return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
+  }
+
+  /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it
+  /// was before the first round.
+  std::optional<ImprintFault> meet(int round, std::span<const std::uint8_t> exact) {
+    const SnapRule rule(largest_, options_, round == 0);
+    const std::array<std::vector<FaceId>, 2> faces = active_faces();
+    const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
+    settled_ = pairs.empty();
+    if (settled_) return std::nullopt;
+    const std::array<std::vector<std::uint8_t>, 2> own = owners();
+    Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
+    declare_vertices(m);
+    declare_edges(m);
+    find_crossings(m);
+    if (round == 0) {
+      const auto open = find_open_gaps(m);
+      joining_.left_open.insert(joining_.left_open.end(), open.begin(), open.end());
+    }
+    settled_ = round > 0 && !has_news(m);
+    if (settled_) return std::nullopt;
+    remember_moves(m);
+    const auto imprint = link_symbols(m, options_);
+    if (!imprint) {
+      // In the first round the inputs overlap; later it is something that bending has made.
+      const FaceId g = m.side[1].face(imprint.error().faces[1]);
+      return ImprintFault{overlap_fault(m, imprint.error().faces), round == 0 ? FaceId{} : marks_.from[g.value]};
+    }
+    if (auto fault = find_flat_face(m, *imprint)) return fault;
+    if (auto fault = apply(m, *imprint, marks_)) {
+      if (!fault->face.valid()) return fault;
+      if (fault->fault.code == ErrorCode::kJunctionNotResolved)
+        if (auto doubled = doubled_faces_at(m, fault->face)) return ImprintFault{std::move(*doubled), {}};
+      fault->face = marks_.from[fault->face.value];
+      return fault;
+    }
+    if (auto doubled = find_doubled_face(complex_, marks_.active))
+      return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
+    settled_ = !m.has_closed_gap;
+    return std::nullopt;
+  }
+
+  /// Marks a face, or if it is marked already the unmarked ones that share a vertex with it. False
+  /// if there are none.
+  static bool make_exact(const Complex& complex, FaceId face, std::vector<std::uint8_t>& exact) {
+    if (!exact[face.value]) {
+      exact[face.value] = 1;
+      return true;
+    }
+    bool any = false;
+    const auto& v = complex.face[face.value];
+    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+      const auto& w = complex.face[f];
+      if (exact[f] || std::find_first_of(w.begin(), w.end(), v.begin(), v.end()) == w.end()) continue;
+      exact[f] = 1, any = true;
+    }
+    return any;
+  }
+
+  [[nodiscard]] std::array<std::vector<FaceId>, 2> active_faces() const {
+    std::array<std::vector<FaceId>, 2> faces;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+      const std::uint32_t c = complex_.component[f];
+      if (marks_.active[f] && (c == component_ || (c < component_ && complex_.joins.are_joined(c, component_))))
+        faces[c == component_].push_back(FaceId(f));
+    }
+    return faces;
+  }
+
+  /// The faces that count in telling features: what hangs together with a side and is not joined to it
+  /// goes on beyond its own faces.
+  [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners() const {
+    const Joins& joins = complex_.joins;
+    std::array<std::vector<std::uint8_t>, 2> own;
+    for (const std::uint32_t c : complex_.component) {
+      const bool one_mesh = joins.mesh_of(c) == joins.mesh_of(component_) && !joins.are_joined(c, component_);
+      own[0].push_back(c != component_), own[1].push_back(c == component_ || one_mesh);
+    }
+    return own;
+  }
+
+  /// True if there is more than the vertices that both sides have already.
+  static bool has_news(const Meeting& m) {
+    return std::any_of(m.symbols.begin(), m.symbols.end(), [](const Symbol& s) {
+      return s.on[0].kind != Carrier::kVertex || s.on[1].kind != Carrier::kVertex || s.on[0].id != s.on[1].id;
+    });
+  }
+
+  void remember_moves(const Meeting& m) {
+    for (const auto& [v, from] : m.moved) moved_from_.emplace(v, from);
+    for (const auto& [y, x] : m.replaced) {
+      moved_from_.erase(y);
+      joining_.replaced.push_back({y, x});
+    }
+  }
+
+  /// A face without area cannot be cut; such faces of the input are named before it is tried.
+  [[nodiscard]] std::optional<ImprintFault> find_flat_face(const Meeting& m,
+                                                           const std::array<Imprint, 2>& imprint) const {
+    for (const std::size_t s : kSides)
+      for (LocalFace f = 0; f < m.side[s].n_faces(); ++f) {
+        const FaceId id = m.side[s].face(f);
+        if (!imprint[s].touched[f] || marks_.touched[id.value]) continue;
+        const Triangle t = m.triangle(s, f);
+        const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+        if (2 * area(t) <= longest * m.rule.at(marks_.size[id.value]).weld)
+          return ImprintFault{{ErrorCode::kDegenerateFace,
+                               "a face without area meets another mesh",
+                               {complex_.parent[id.value]},
+                               centroid(t)},
+                              marks_.from[id.value]};
+      }
+    return std::nullopt;
+  }
+
+  Joining& joining_;
+  Complex& complex_;  // of joining_, as are the marks
+  FaceMarks& marks_;
+  std::uint32_t component_;
+  double largest_;
+  GroupSets& groups_;
+  const CorefineOptions& options_;
+  std::map<VertexId, Vec3> moved_from_;
+  bool settled_ = false;
+};
+
+}  // namespace
+
+std::optional<JunctionFault> join(Joining& joining, std::uint32_t component, double largest, GroupSets& groups,
+                                  const CorefineOptions& options) {
+  return Joiner(joining, component, largest, groups, options).run();
+}
+
+}  // namespace meshgraft

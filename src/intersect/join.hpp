@@ -1,0 +1,27 @@
+// Joins one component of a complex to the earlier ones.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "intersect/imprint.hpp"
+
+namespace meshgraft {
+
+/// A complex under work and what was done to it.
+struct Joining {
+  Complex complex;
+  FaceMarks marks;
+  std::vector<std::pair<VertexId, Vec3>> moved;   // vertex, where it was; ascending
+  std::vector<std::array<VertexId, 2>> replaced;  // vertex of the component, the one it became
+  std::vector<Corefined::OpenGap> left_open;
+};
+
+/// Imprints a component and the earlier ones it is joined to on each other; see corefine().
+/// `largest`: the largest coordinate of the whole model, by magnitude; what rounding costs follows
+/// from it. On a fault the Joining is left half done.
+[[nodiscard]] std::optional<JunctionFault> join(Joining& joining, std::uint32_t component, double largest,
+                                                GroupSets& groups, const CorefineOptions& options);
+
+}  // namespace meshgraft
