@@ -11,7 +11,7 @@ namespace {
 constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
 constexpr double kSizeWeight = 0.1;   // of the squared logarithm of the relative size in the cost
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
-constexpr double kPoorSlack = 2;      // and faces that replace bad ones the deviation by this
+constexpr int kEdgeSamples = 3;       // inside an edge, where its distance from the reference is taken
 
 }  // namespace
 
@@ -90,28 +90,40 @@ double Editor::flatness_with(VertexId v, Vec3 p) {
 
 bool Editor::faces_right(const LocalFace& f) const { return mesh_.quality(f) > kFlat; }
 
-double Editor::slack(std::span<const FaceId> replaced) const {
-  for (const FaceId f : replaced)
-    if (mesh_.face(f).q < options_.min_quality) return kPoorSlack;
-  return 1;
-}
-
-bool Editor::lies_on_reference(const LocalFace& f, double slack) const {
-  if (mesh_.sheet(f.sheet).planar) return true;
+double Editor::deviation(const LocalFace& f) const {
+  if (mesh_.sheet(f.sheet).planar) return 0;
   const Triangle t{mesh_.position(f.v[0]), mesh_.position(f.v[1]), mesh_.position(f.v[2])};
   FaceId hint;
   for (const VertexId v : f.v)
     if (mesh_.vertex(v).dimension == Dimension::kSheet) hint = mesh_.vertex(v).beneath;
-  const double share = slack * options_.max_deviation;
+  const auto share = [&](const Foot& foot) {
+    return foot.distance / (options_.max_deviation * reference_.edge_length(foot.face));
+  };
   const Foot middle = reference_.project(f.sheet, centroid(t), hint);
-  if (middle.distance > share * mean_edge_length(t)) return false;
-  if (dot(unit_normal(t), reference_.normal(middle.face)) < kLeastCosine) return false;
+  if (dot(unit_normal(t), reference_.normal(middle.face)) < kLeastCosine)
+    return std::numeric_limits<double>::infinity();
+  double worst = share(middle);
   for (std::size_t k = 0; k < 3; ++k) {
     if (f.curve[k].valid()) continue;
-    const Vec3 a = t[k], b = t[(k + 1) % 3];
-    if (reference_.project(f.sheet, midpoint(a, b), middle.face).distance > share * distance(a, b)) return false;
+    for (int i = 1; i <= kEdgeSamples; ++i) {
+      const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (kEdgeSamples + 1));
+      worst = std::max(worst, share(reference_.project(f.sheet, p, middle.face)));
+    }
   }
-  return true;
+  return worst;
+}
+
+double Editor::deviation(FaceId f) {
+  const LocalFace& face = mesh_.face(f);
+  if (face.deviation == LocalFace::kUnknown) mesh_.set_deviation(f, deviation(face));
+  return face.deviation;
+}
+
+double Editor::allowed_deviation(std::span<const FaceId> replaced) {
+  double worst = leeway_;
+  for (const FaceId f : replaced)
+    if (std::isfinite(deviation(f))) worst = std::max(worst, deviation(f));
+  return worst;
 }
 
 bool Editor::flip(VertexId a, VertexId b) {
@@ -136,8 +148,8 @@ bool Editor::flip(VertexId a, VertexId b) {
     }
   }
   if (!faces_right(first) || !faces_right(second)) return false;
-  const double allowed = slack(faces);
-  if (!lies_on_reference(first, allowed) || !lies_on_reference(second, allowed)) return false;
+  const double allowed = allowed_deviation(faces);
+  if (deviation(first) > allowed || deviation(second) > allowed) return false;
   for (const FaceId f : faces) mesh_.remove_face(f);
   mesh_.add_face(first), mesh_.add_face(second);
   return true;

@@ -14,7 +14,7 @@ namespace meshgraft {
 inline constexpr double kFlat = 1e-7;
 /// By how much the chord between two nodes of a curve may exceed the sagitta of the ruler, so that
 /// nodes can slide a little.
-inline constexpr double kSagittaSlack = 1.25;
+inline constexpr double kSagittaSlack = 1.15;
 
 /// A mesh is valid when every curve edge has one face per side of each sheet, every other edge has
 /// two faces of one sheet, no two faces have the same corners, and each face faces like its sheet.
@@ -36,6 +36,13 @@ class Editor {
   /// remesher lowers the sum of this.
   double cost(FaceId f);
   double cost(std::span<const FaceId> faces);
+
+  /// Distance of a face from the reference over what RemeshOptions::max_deviation allows; infinite if it does
+  /// not face like the reference beneath; 0 in planar sheets. No change leaves a face with more than
+  /// 1, unless the faces it replaces have more.
+  double deviation(FaceId f);
+  /// Lets every change go this far instead of 1.
+  void set_leeway(double leeway) { leeway_ = leeway; }
 
   /// Replaces the edge a b between two faces of a sheet by the other diagonal.
   bool flip(VertexId a, VertexId b);
@@ -84,9 +91,9 @@ class Editor {
   [[nodiscard]] std::optional<double> middle_arc(VertexId a, VertexId b, CurveId curve) const;
   [[nodiscard]] bool splittable(std::span<const FaceId> faces) const;
   [[nodiscard]] bool faces_right(const LocalFace& f) const;
-  /// Curved sheets: whether the face lies near enough to the reference and faces like it.
-  [[nodiscard]] bool lies_on_reference(const LocalFace& f, double slack) const;
-  [[nodiscard]] double slack(std::span<const FaceId> replaced) const;
+  [[nodiscard]] double deviation(const LocalFace& f) const;
+  /// Of faces that replace the given ones.
+  double allowed_deviation(std::span<const FaceId> replaced);
   [[nodiscard]] Vec3 centre_of_link(VertexId v) const;
 
   const Brep& brep_;
@@ -94,6 +101,7 @@ class Editor {
   LocalMesh mesh_;
   Sizing sizing_;
   RemeshOptions options_;
+  double leeway_ = 1;
 };
 
 }  // namespace meshgraft

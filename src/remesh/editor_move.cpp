@@ -111,13 +111,13 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
 }
 
 bool Editor::place(VertexId v, const LocalVertex& to) {
-  const double allowed = slack(mesh_.star(v));
+  const double allowed = allowed_deviation(mesh_.star(v));
   const Mark start = mark();
   LocalVertex placed = to;
   if (distance(placed.position, placed.sized_at) > kSameSize * placed.size) placed.size = 0;
   mesh_.set_vertex(v, placed);
   for (const FaceId f : mesh_.star(v))
-    if (!lies_on_reference(mesh_.face(f), allowed)) {
+    if (deviation(f) > allowed) {
       undo(start);
       return false;
     }

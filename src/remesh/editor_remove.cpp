@@ -95,7 +95,7 @@ bool Editor::fill(VertexId v, const Fan& fan, CurveId closing) {
   const auto filling = fill_polygon(fan.link, rules);
   if (!filling) return false;
 
-  const double allowed = slack(fan.faces);
+  const double allowed = allowed_deviation(fan.faces);
   std::vector<CurveId> side(n, closing);  // curve of the edge from link i to link i + 1
   for (std::size_t i = 0; i < fan.faces.size(); ++i) {
     const LocalFace& face = mesh_.face(fan.faces[i]);
@@ -110,7 +110,7 @@ bool Editor::fill(VertexId v, const Fan& fan, CurveId closing) {
       face.v[k] = fan.link[i];
       face.curve[k] = j == (i + 1) % n ? side[i] : CurveId{};
     }
-    if (!lies_on_reference(face, allowed)) return false;
+    if (deviation(face) > allowed) return false;
     mesh_.add_face(face);
   }
   return true;

@@ -16,6 +16,7 @@ constexpr double kNearest = 0.68;   // no new vertex nearer to another, share of
 constexpr double kNearestEdge = 0.5;                 // nor nearer to an edge that cannot be flipped
 constexpr double kLeastApex = 0.6, kMostApex = 1.5;  // of the wanted size over the edge below: bounds of the apex
 constexpr int kLongestWalk = 60;                     // faces crossed in looking for one
+constexpr double kLeeway = 6;                        // of the deviation, while the room is empty
 constexpr int kClearRounds = 2;                      // a removal may have to wait for its neighbours
 
 class Front {
@@ -23,6 +24,7 @@ class Front {
   explicit Front(Editor& editor) : editor_(editor) {}
 
   void run() {
+    editor_.set_leeway(kLeeway);
     clear();
     start();
     while (!edges_.empty()) {
@@ -30,6 +32,7 @@ class Front {
       edges_.pop_front();
       advance(a, b);
     }
+    editor_.set_leeway(1);
     editor_.forget();
   }
 

@@ -12,8 +12,8 @@ void fit_to_size(Editor& editor);
 /// inputs whose faces are all as they were, and good, are left alone.
 void relax_all(Editor& editor, int sweeps);
 
-/// Mends faces with Q < `target`, worst first, by whatever local operation helps most; stops when
-/// none is left or nothing helps.
+/// Mends faces with Q < `target` or too far from the reference, worst Q first, by whatever local operation
+/// helps most; stops when none is left or nothing helps.
 void mend(Editor& editor, double target);
 
 }  // namespace meshgraft

@@ -152,7 +152,7 @@ VertexId LocalMesh::add_vertex(const LocalVertex& v) {
 FaceId LocalMesh::add_face(const LocalFace& f) {
   const FaceId id(faces_.size());
   faces_.push_back(f);
-  faces_.back().q = quality(f);
+  faces_.back().q = quality(f), faces_.back().deviation = LocalFace::kUnknown;
   link(id);
   history_.push_back({Step::kAddFace, id.value});
   return id;
@@ -169,7 +169,15 @@ void LocalMesh::set_vertex(VertexId v, const LocalVertex& to) {
   old_places_.push_back(vertices_[v.value]);
   vertices_[v.value] = to;
   vertices_[v.value].moved = true;
-  for (const FaceId f : star_[v.value]) faces_[f.value].q = quality(faces_[f.value]), stir(f);
+  measure_star(v);
+}
+
+void LocalMesh::measure_star(VertexId v) {
+  for (const FaceId f : star_[v.value]) {
+    LocalFace& face = faces_[f.value];
+    face.q = quality(face), face.deviation = LocalFace::kUnknown;
+    stir(f);
+  }
 }
 
 void LocalMesh::undo(Mark to) {
@@ -190,11 +198,12 @@ void LocalMesh::undo(Mark to) {
         faces_[change.id].alive = true;
         link(FaceId(std::size_t{change.id}));
         faces_[change.id].q = quality(faces_[change.id]);
+        faces_[change.id].deviation = LocalFace::kUnknown;
         break;
       case Step::kSetVertex:
         vertices_[change.id] = old_places_.back();
         old_places_.pop_back();
-        for (const FaceId f : star_[change.id]) faces_[f.value].q = quality(faces_[f.value]), stir(f);
+        measure_star(VertexId(std::size_t{change.id}));
         break;
     }
   }

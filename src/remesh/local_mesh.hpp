@@ -28,10 +28,12 @@ struct LocalVertex {
 
 /// Faces 0..m-1 are those of the complex, later ones are new.
 struct LocalFace {
+  static constexpr double kUnknown = -1;
   std::array<VertexId, 3> v;
   std::array<CurveId, 3> curve;  // of the edge from corner k to corner k+1, or none
   SheetId sheet;
-  double q = 0;  // aspect ratio; in planar sheets negative if it faces backwards
+  double q = 0;                 // aspect ratio; in planar sheets negative if it faces backwards
+  double deviation = kUnknown;  // see Editor::deviation
   bool alive = true;
   bool in_zone = false;
 
@@ -87,6 +89,7 @@ class LocalMesh {
   FaceId add_face(const LocalFace& f);  // q is computed
   void remove_face(FaceId f);
   void set_vertex(VertexId v, const LocalVertex& to);  // new place; q of its faces follows
+  void set_deviation(FaceId f, double deviation) { faces_[f.value].deviation = deviation; }
   void set_size(VertexId v, double size) { vertices_[v.value].size = size, vertices_[v.value].sized_at = position(v); }
 
   /// Whether a face on the vertex has changed since it was last called calm.
@@ -113,6 +116,7 @@ class LocalMesh {
     std::uint32_t id;
   };
   void stir(FaceId f);
+  void measure_star(VertexId v);
   void link(FaceId f);
   void unlink(FaceId f);
 

@@ -7,8 +7,9 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kRounds = 6;           // sweeps over the poor faces
-constexpr double kLeastGain = 0.01;  // absolute, of the cost; below it a change is not worth making
+constexpr int kRounds = 6;                // sweeps over the poor faces
+constexpr double kDeviationWeight = 1.5;  // of the deviation beyond what is allowed, in the cost
+constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a change is not worth making
 
 class Mender {
  public:
@@ -19,13 +20,13 @@ class Mender {
       std::vector<std::pair<double, FaceId>> poor;
       for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
         const LocalFace& f = mesh().face(FaceId(k));
-        if (f.alive && f.in_zone && f.q < target_) poor.emplace_back(f.q, FaceId(k));
+        if (f.alive && f.in_zone && is_poor(FaceId(k))) poor.emplace_back(f.q, FaceId(k));
       }
       std::ranges::sort(poor);
       bool better = false;
       for (const auto& [q, f] : poor) {
         editor_.forget();
-        if (mesh().face(f).alive && mesh().face(f).q < target_) better = mend(f) || better;
+        if (mesh().face(f).alive && is_poor(f)) better = mend(f) || better;
       }
       if (!better) return;
     }
@@ -33,6 +34,8 @@ class Mender {
 
  private:
   [[nodiscard]] const LocalMesh& mesh() const { return editor_.mesh(); }
+
+  bool is_poor(FaceId f) { return mesh().face(f).q < target_ || editor_.deviation(f) > 1; }
 
   /// All vertices of faces on the given vertices, ascending.
   [[nodiscard]] std::vector<VertexId> ring(std::span<const VertexId> of) const {
@@ -53,7 +56,9 @@ class Mender {
     std::ranges::sort(faces_);
     const auto repeated = std::ranges::unique(faces_);
     faces_.erase(repeated.begin(), repeated.end());
-    return editor_.cost(faces_);
+    double sum = editor_.cost(faces_);
+    for (const FaceId f : faces_) sum += kDeviationWeight * std::max(0.0, editor_.deviation(f) - 1);
+    return sum;
   }
 
   /// Runs one change and relaxes `around` after it; keeps it if the region costs less.
@@ -78,9 +83,9 @@ class Mender {
     const std::array<VertexId, 3> v = mesh().face(f).v;
     bool better = false;
     for (const VertexId u : v) better = editor_.relax(u) || better;
-    if (better && (!mesh().face(f).alive || mesh().face(f).q >= target_)) return true;
+    if (better && (!mesh().face(f).alive || !is_poor(f))) return true;
     for (const VertexId u : v) better = editor_.sharpen(u) || better;
-    if (better && mesh().face(f).q >= target_) return true;
+    if (better && !is_poor(f)) return true;
     return change_topology(v) || better;
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/closest.hpp"
+#include "zone/parents.hpp"
 #include "zone/ruler.hpp"
 
 namespace meshgraft {
@@ -31,6 +32,11 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
       for (const Vec3 p : complex.corners(faces_[s][k])) boxes[k].add(p);
     trees_[s] = BoxTree(boxes);
   }
+  const Parents parents(complex);
+  const std::vector<Vec3> area_vector = area_vectors(parents, complex);
+  edge_length_.reserve(complex.n_faces());
+  for (const std::uint32_t parent : parents.of_face)
+    edge_length_.push_back(edge_length_of_area(norm(area_vector[parent])));
   for (std::size_t c = 0; c < brep.curves.size(); ++c) {
     if (!curve_used[c]) continue;
     for (const VertexId v : brep.curves[c].chain) points_[c].push_back(complex.position[v.value]);

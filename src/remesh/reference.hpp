@@ -26,6 +26,8 @@ class Reference {
   /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near.
   [[nodiscard]] Foot project(SheetId sheet, Vec3 p, FaceId hint) const;
   [[nodiscard]] Vec3 normal(FaceId f) const;  // unit
+  /// Edge length of the input face that a face of the complex is a piece of.
+  [[nodiscard]] double edge_length(FaceId f) const { return edge_length_[f.value]; }
 
   [[nodiscard]] const Curve& curve(CurveId c) const { return brep_.curves[c.value]; }
   [[nodiscard]] std::span<const Vec3> polyline(CurveId c) const { return points_[c.value]; }
@@ -46,6 +48,7 @@ class Reference {
   const Brep& brep_;
   std::vector<std::vector<FaceId>> faces_;  // by sheet, ascending
   std::vector<BoxTree> trees_;              // by sheet
+  std::vector<double> edge_length_;         // by face
   std::vector<std::vector<Vec3>> points_;   // by curve; empty if no edge of it is in the zone
   std::vector<std::vector<double>> arcs_;
 };

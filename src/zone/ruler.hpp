@@ -10,7 +10,7 @@
 namespace meshgraft {
 
 struct RulerOptions {
-  double max_sagitta = 0.08;  // share of the chord
+  double max_sagitta = 0.07;  // share of the chord
   double gradation = 0.4;     // change of piece length per unit of length around tight bends
 };
 

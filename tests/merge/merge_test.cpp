@@ -245,6 +245,18 @@ TEST(Merge, AShortPartIsPulledOntoTheWallAndEachMoveIsReported) {
   EXPECT_EQ(m.report.moved.size(), m.graft.moved_nodes.size());
 }
 
+TEST(Merge, CoarseTubesKeepTheirSurfaceAndTheirEnds) {
+  // Facets that turn by 13, 21 and 24 degrees, of faces that are all Q 0.72.
+  const Model base = scenes::cylinder({0, 0, 0}, {0, 0, 2}, 0.45, kSize, "RUN");
+  const std::vector<Model> parts{scenes::cylinder({-1, 0.03, 1.04}, {1, 0.03, 1.04}, 0.3, 0.11, "BRANCH"),
+                                 scenes::cylinder({0.02, -1, 0.95}, {0, 1, 0.95}, 0.25, 0.105, "BRANCH_2")};
+  const Merged m = merged(base, parts);
+  for (const Error& e : m.report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_LE(m.report.fidelity.max_distance_relative, 0.085);
+  EXPECT_GE(m.report.quality.min, 0.5);
+  EXPECT_GE(m.report.quality.mean, 0.83);
+}
+
 TEST(Merge, PartsApartAreAnErrorUnlessAllowed) {
   const Model base = wall();
   const std::vector<Model> parts{stiffener(0.33, 1.61, 0.97, 0.31, 0.43), stiffener(0.3, 1.2, 0.5, -1, 1.5)};
