@@ -76,6 +76,16 @@ struct DatasetEntry {
   std::string fate;  // "kept", "kept, stale: names removed nodes", "side file", "same as base"
 };
 
+/// A piece of an input that was taken out on purpose.
+struct DroppedEntry {
+  std::uint32_t input = 0;
+  std::string cause;        // "trimmed" or "cut"
+  std::uint64_t faces = 0;  // triangles of the input that are in it, wholly or in part
+  double area = 0;
+  Vec3 at;                          // its centre of area
+  std::vector<std::string> groups;  // that its faces are in, in the order of the output
+};
+
 struct Report {
   std::string version;
   std::vector<InputSummary> inputs;
@@ -94,6 +104,7 @@ struct Report {
   struct Untouched {
     std::uint64_t nodes = 0, elements = 0, bytes = 0;
   } untouched;
+  std::vector<DroppedEntry> dropped;
   std::vector<LabelShift> labels;
   std::vector<std::int64_t> removed_nodes, removed_elements;  // labels of the base that are gone
   std::vector<MovedEntry> moved;

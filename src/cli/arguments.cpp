@@ -177,6 +177,9 @@ class MergeCommand {
     a_.value("--tolerance", "LEN|N%",
              "gap or penetration that is closed; a length in file units, or a share of the local edge length "
              "[default: 1%]");
+    a_.value("--trim", "beyond=LEN|none",
+             "loose ends of parts that stick out beyond the junction by less than LEN are dropped; file units "
+             "[default: none]");
     a_.value("--size", "LEN|auto",
              "edge length along the junction, in file units; auto: mean edge length there [default: auto]");
     a_.value("--bandwidth", "N|auto", "neighbourhoods of the junction remeshed on both sides, a count [default: auto]");
@@ -218,6 +221,7 @@ class MergeCommand {
     if (done) done = store(a_, "--method", method, o.method);
     if (done) done = store(a_, "--angle", angle, o.contact_angle);
     if (done) done = store(a_, "--tolerance", tolerance, o.tolerance);
+    if (done) done = store(a_, "--trim", trim, o.trim);
     if (done) done = store(a_, "--size", size, o.size);
     if (done) done = store(a_, "--bandwidth", bandwidth, o.bandwidth);
     if (done) done = store(a_, "--min-quality", quality, o.min_quality);

@@ -76,6 +76,19 @@ Result<std::optional<double>> size(const Typed& typed) {
   return number_in(typed, kRange).map([](double length) { return std::optional(length); });
 }
 
+Result<std::optional<double>> trim(const Typed& typed) {
+  constexpr std::string_view kBeyond = "beyond=";
+  constexpr Range kRange{.low = 0,
+                         .high = kInfinity,
+                         .low_included = false,
+                         .allowed = "none, or beyond=LEN with a length greater than 0 in the unit of the file"};
+  if (typed.text == "none") return std::nullopt;
+  if (!typed.text.starts_with(kBeyond)) return wrong_value(typed, "is not known", kRange.allowed);
+  return number_in({typed.option, typed.text.substr(kBeyond.size())}, kRange).map([](double length) {
+    return std::optional(length);
+  });
+}
+
 Result<std::optional<int>> bandwidth(const Typed& typed) {
   if (typed.text == kAuto) return std::nullopt;
   return integer_in(typed, 1, kMostNeighbourhoods, "a number of neighbourhoods from 1 to 100, or auto").map([](int n) {

@@ -35,6 +35,8 @@ struct Range {
 [[nodiscard]] Result<Tolerance> tolerance(const Typed& typed);
 /// `LEN` > 0 in file units; nothing for `auto`.
 [[nodiscard]] Result<std::optional<double>> size(const Typed& typed);
+/// `beyond=LEN` with LEN > 0 in file units; nothing for `none`.
+[[nodiscard]] Result<std::optional<double>> trim(const Typed& typed);
 /// `N` >= 1; nothing for `auto`.
 [[nodiscard]] Result<std::optional<int>> bandwidth(const Typed& typed);
 

@@ -25,6 +25,8 @@ Result<void> check_options(const MergeOptions& o) {
   if (o.tolerance.relative && o.tolerance.value > 0.5)
     return refuse("tolerance of " + text_of(100 * o.tolerance.value) + " % of the edge length",
                   "give at most 50 %; what is farther apart cannot be pulled together");
+  if (o.trim && !(*o.trim > 0 && std::isfinite(*o.trim)))
+    return refuse("loose ends of " + text_of(*o.trim) + " to be trimmed", "give a length above 0");
   if (o.size && !(*o.size > 0 && std::isfinite(*o.size)))
     return refuse("edge length of " + text_of(*o.size) + " along the junction", "give a length above 0");
   if (o.bandwidth && *o.bandwidth < 1)

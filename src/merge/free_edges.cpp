@@ -87,7 +87,8 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   const std::vector<EdgeUse> new_edges = free_edges(after, changed);
   const std::vector<NodePair> old_keys = keys(before, old_edges), new_keys = keys(after, new_edges);
 
-  std::vector<Segment> old_segments, new_segments;
+  // What was dropped takes free edges with it and leaves new ones.
+  std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
   for (const EdgeUse& e : old_edges) old_segments.push_back(segment(before, e.low, e.high));
   for (const EdgeUse& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
   for (const JunctionEdge& e : junction_of(after).edges) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));

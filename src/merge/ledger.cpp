@@ -152,11 +152,13 @@ std::string kind_of(const Sum& before, const Sum& after) {
   return kind;
 }
 
-std::string rule_of(const Change& change, std::size_t g, std::size_t n_inputs) {
+std::string rule_of(const Change& change, const Dropped& dropped, std::size_t g, std::size_t n_inputs) {
   std::vector<std::string> rules;
   if (n_inputs > 1) rules.push_back("united from " + std::to_string(n_inputs) + " inputs");
   if (change.inherited[g] != 0) rules.emplace_back("inherited from parent");
-  if (change.inherited[g] == 0 && change.reduced[g] != 0) rules.emplace_back("removed with their surroundings");
+  if (dropped.touches(GroupId(g))) rules.emplace_back("reduced by what was dropped");
+  if (change.inherited[g] == 0 && change.reduced[g] != 0 && !dropped.touches(GroupId(g)))
+    rules.emplace_back("removed with their surroundings");
   if (change.joined[g] != 0) rules.emplace_back("joined by nodes that took another's place");
   if (rules.empty()) return "untouched";
   std::string text = rules.front();
@@ -171,23 +173,25 @@ Error broken(const std::string& name, const std::string& what) {
           {}};
 }
 
-void check(const GroupEntry& e, const LedgerOptions& options, std::vector<Error>& errors) {
-  if (e.members_before > 0 && e.members_after == 0) {
-    errors.push_back(broken(e.name, "had " + std::to_string(e.members_before) + " members and is empty now"));
-    return;
-  }
-  const auto changed = [&](double before, double after, const char* what) {
-    if (std::abs(after - before) <= options.max_change * before) return;
+/// How far the area (or length) of a group is from what was there without what was dropped.
+struct Expected {
+  double area = 0, length = 0;
+};
+
+void check(const GroupEntry& e, const Expected& expected, const LedgerOptions& options, std::vector<Error>& errors) {
+  const auto changed = [&](double before, double wanted, double after, const char* what) {
+    if (std::abs(after - wanted) <= options.max_change * before) return;
     errors.push_back(broken(e.name, std::string("had ") + what + " " + text_of(before) + " and has " + text_of(after) +
-                                        " now, a change of " + text_of(100 * (after - before) / before) + " %"));
+                                        " now, a change of " + text_of(100 * (after - before) / before) + " %" +
+                                        (wanted == before ? "" : "; " + text_of(wanted) + " should be left")));
   };
-  changed(e.area_before, e.area_after, "area");
-  changed(e.length_before, e.length_after, "length");
+  changed(e.area_before, expected.area, e.area_after, "area");
+  changed(e.length_before, expected.length, e.length_after, "length");
 }
 
 }  // namespace
 
-Ledger ledger_of(Inputs inputs, const Graft& graft, const LedgerOptions& options) {
+Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& dropped, const LedgerOptions& options) {
   std::vector<std::vector<Sum>> sums;
   for (const Model* model : inputs) sums.push_back(sums_of(*model));
   const Change change = ChangeCounter(inputs, graft).run();
@@ -202,8 +206,16 @@ Ledger ledger_of(Inputs inputs, const Graft& graft, const LedgerOptions& options
     if (after.members[kFaces] == 0) after.area = 0;
     if (after.members[kLines] == 0) after.length = 0;
     ledger.groups.push_back({group.name, kind_of(before, after), before.count(), after.count(), before.area, after.area,
-                             before.length, after.length, rule_of(change, g, group.from.size())});
-    check(ledger.groups.back(), options, ledger.broken);
+                             before.length, after.length, rule_of(change, dropped, g, group.from.size())});
+    const GroupEntry& entry = ledger.groups.back();
+    const GroupId id(g);
+    const std::string emptied = "had " + std::to_string(entry.members_before) + " members and is empty now";
+    if (entry.members_before == 0 || entry.members_after > 0)
+      check(entry, {before.area - dropped.area_of(id), before.length - dropped.length_of(id)}, options, ledger.broken);
+    else if (dropped.touches(id))
+      ledger.warnings.push_back({"emptied-group", "group " + group.name + " " + emptied + ": all were dropped", {}});
+    else
+      ledger.broken.push_back(broken(group.name, emptied));
   }
   return ledger;
 }

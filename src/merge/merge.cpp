@@ -3,19 +3,13 @@
 #include <algorithm>
 
 #include "merge/compatibility.hpp"
+#include "merge/conclude.hpp"
 #include "merge/faults.hpp"
-#include "merge/fidelity.hpp"
 #include "merge/group_table.hpp"
-#include "merge/labels.hpp"
-#include "merge/ledger.hpp"
-#include "merge/node_groups.hpp"
-#include "merge/outcome.hpp"
-#include "merge/quality_summary.hpp"
 #include "merge/remesh_zone.hpp"
 #include "merge/report_summary.hpp"
-#include "merge/result_check.hpp"
-#include "merge/stitch.hpp"
 #include "merge/stopwatch.hpp"
+#include "merge/trim.hpp"
 #include "merge/unsupported.hpp"
 #include "search/candidates.hpp"
 #include "search/workpiece.hpp"
@@ -36,20 +30,6 @@ Result<void> check_parts_meet(Inputs inputs, const Corefined& corefined, const M
   if (!options.allow_apart) return Failure(error);
   report.warnings.push_back({name(error.code), error.what + "; added unjoined", error.place});
   return {};
-}
-
-/// Everything that can be said against the result, and the figures that go with it.
-void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
-           Report& report) {
-  append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
-  append(report.broken_promises, check_result(outcome, translated, options.tolerance));
-  QualityVerdict quality = quality_of(outcome, remeshed.bad, options.min_quality);
-  report.quality = std::move(quality.summary);
-  append(report.broken_promises, std::move(quality.broken));
-  append(report.warnings, std::move(quality.warnings));
-  FidelityVerdict fidelity = fidelity_of(outcome, options.tolerance);
-  report.fidelity = fidelity.figures;
-  append(report.broken_promises, std::move(fidelity.broken));
 }
 
 Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
@@ -75,39 +55,24 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   if (const auto ok = check_local_scale(inputs, candidates); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
+  if (options.trim) workpiece_options.least = *options.trim;
   const Complex original = workpiece(inputs, candidates, table.of_input, graft.group_sets, workpiece_options);
 
   watch.start("intersect", 0.2);  // paper 5.1, 5.2
   CorefineOptions corefine_options;
   corefine_options.tolerance = options.tolerance;
   corefine_options.contact_angle = options.contact_angle;
-  const auto corefined = corefine(original, graft.group_sets, corefine_options);
+  auto corefined = corefine(original, graft.group_sets, corefine_options);
   if (!corefined) return Failure(to_error(inputs, corefined.error()));
   if (const auto ok = check_parts_meet(inputs, *corefined, options, report); !ok) return Failure(ok.error());
 
+  Dropped dropped;
+  if (options.trim) report.dropped = trim(*corefined, *options.trim, graft, dropped);
+
   watch.start("remesh", 0.3);  // paper 5.3 to 5.6
   const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
-  report.zone.bandwidth = zone.bandwidth, report.zone.widened = zone.widened;
-  const Complex& final_complex = zone.remeshed.complex;
-
-  watch.start("stitch", 0.8);
-  const Stitched stitched = stitch(inputs, original, *corefined, final_complex, graft);
-  assign_node_groups(inputs, translated, final_complex, stitched, graft);
-  Result<Labels> labels = labels_of(inputs, graft);
-  if (!labels) return Failure(labels.error());
-  merged.labels = std::move(*labels);
-
-  watch.start("check", 0.9);
-  const Outcome outcome{inputs, original, *corefined, final_complex, stitched, graft, merged.labels};
-  summarise(outcome, report);
-  judge(outcome, zone.remeshed, translated, options, report);
-  Ledger ledger = ledger_of(inputs, graft);
-  report.groups = std::move(ledger.groups);
-  append(report.broken_promises, std::move(ledger.broken));
-
-  watch.stop();
-  report.timings = watch.timings();
-  report.peak_memory_bytes = peak_memory_bytes();
+  const Operation operation{inputs, original, *corefined, zone, dropped, translated, options};
+  if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   return merged;
 }
 

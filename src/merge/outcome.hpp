@@ -6,6 +6,7 @@
 
 #include "core/complex.hpp"
 #include "intersect/corefine.hpp"
+#include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
 #include "merge/stitch.hpp"
 #include "meshgraft/graft.hpp"
@@ -20,6 +21,7 @@ struct Outcome {
   const Stitched& stitched;
   const Graft& graft;
   const Labels& labels;
+  const Dropped& dropped;
 
   [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }
   /// New, or kept with a corner at another place.

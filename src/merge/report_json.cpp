@@ -37,6 +37,11 @@ Json json(const GroupEntry& g) {
           {"rule", g.rule}};
 }
 
+Json json(const DroppedEntry& d) {
+  return {{"input", d.input}, {"cause", d.cause}, {"faces", d.faces},
+          {"area", d.area},   {"at", json(d.at)}, {"groups", d.groups}};
+}
+
 Json json(const LabelShift& s) { return {{"input", s.input}, {"kind", s.kind}, {"from", s.from}, {"to", s.to}}; }
 
 Json json(const MovedEntry& m) {
@@ -92,6 +97,7 @@ std::string to_json(const Report& r) {
                      {"at", json(r.fidelity.at)}};
   all["groups"] = list(r.groups);
   all["untouched"] = {{"nodes", r.untouched.nodes}, {"elements", r.untouched.elements}, {"bytes", r.untouched.bytes}};
+  all["dropped"] = list(r.dropped);
   all["labels"] = list(r.labels);
   all["removed_nodes"] = r.removed_nodes;
   all["removed_elements"] = r.removed_elements;

@@ -15,14 +15,14 @@ double longest_edge(const Triangle& t) {
 }
 
 Region region_around(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
-                     double reach) {
+                     const WorkpieceOptions& options) {
   std::vector<Reach> reaches;
   for (std::size_t k = 0; k < inputs.size(); ++k)
     for (const ElementId f : candidates[k]) {
       const Triangle t = inputs[k]->corners(f);
       Reach r;
       for (const Vec3 p : t) r.box.add(p);
-      r.distance = reach * longest_edge(t);
+      r.distance = std::max(options.reach * longest_edge(t), options.least);
       reaches.push_back(r);
     }
   return Region(reaches);
@@ -272,7 +272,7 @@ class Cutter {
 Complex workpiece(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
                   std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                   const WorkpieceOptions& options) {
-  const Region region = region_around(inputs, candidates, options.reach);
+  const Region region = region_around(inputs, candidates, options);
   Complex complex;
   AttributesTable table;
   for (std::size_t k = 0; k < inputs.size(); ++k)

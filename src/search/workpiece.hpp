@@ -14,6 +14,7 @@ struct WorkpieceOptions {
   /// In longest edges of the candidate faces: how far around them. A zone goes no farther than six
   /// neighbourhoods by itself (WidenLimits); a bandwidth that the user asks for may need more.
   double reach = 6;
+  double least = 0;  // a length: at least this far
 };
 
 /// The faces around `candidates` (by input, see candidate_faces), with the 1D elements on them and

@@ -82,6 +82,8 @@ TEST(ReportDocument, NamesEveryFieldThatThereIs) {
   full.zone.bandwidth = {1};
   full.quality.worst.resize(1);
   full.groups.resize(1);
+  full.dropped.resize(1);
+  full.dropped[0].groups = {"RIB"};
   full.labels.resize(1);
   full.removed_nodes = full.removed_elements = {1};
   full.moved.resize(1);

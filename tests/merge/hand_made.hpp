@@ -73,7 +73,7 @@ class HandMade {
   }
 
   [[nodiscard]] Outcome outcome() const {
-    return {inputs_, original, corefined, final_complex, stitched, graft, labels};
+    return {inputs_, original, corefined, final_complex, stitched, graft, labels, dropped};
   }
 
   [[nodiscard]] Model result() const { return apply(models_[0], parts(), Merged{graft, labels, {}}); }
@@ -97,6 +97,7 @@ class HandMade {
   Complex final_complex;
   Stitched stitched;
   Labels labels;
+  Dropped dropped;
 };
 
 }  // namespace meshgraft::testing_support

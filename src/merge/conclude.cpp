@@ -1,0 +1,67 @@
+#include "merge/conclude.hpp"
+
+#include "merge/faults.hpp"
+#include "merge/fidelity.hpp"
+#include "merge/labels.hpp"
+#include "merge/ledger.hpp"
+#include "merge/node_groups.hpp"
+#include "merge/outcome.hpp"
+#include "merge/quality_summary.hpp"
+#include "merge/report_summary.hpp"
+#include "merge/result_check.hpp"
+#include "merge/stitch.hpp"
+
+namespace meshgraft {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Everything that can be said against the result, and the figures that go with it.
+void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
+           Report& report) {
+  append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
+  append(report.broken_promises, check_result(outcome, translated, options.tolerance));
+  QualityVerdict quality = quality_of(outcome, remeshed.bad, options.min_quality);
+  report.quality = std::move(quality.summary);
+  append(report.broken_promises, std::move(quality.broken));
+  append(report.warnings, std::move(quality.warnings));
+  FidelityVerdict fidelity = fidelity_of(outcome, options.tolerance);
+  report.fidelity = fidelity.figures;
+  append(report.broken_promises, std::move(fidelity.broken));
+}
+
+}  // namespace
+
+Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged) {
+  const auto& [inputs, original, corefined, zone, dropped, translated, options] = operation;
+  Report& report = merged.report;
+  Graft& graft = merged.graft;
+  report.zone.bandwidth = zone.bandwidth, report.zone.widened = zone.widened;
+  const Complex& final_complex = zone.remeshed.complex;
+
+  watch.start("stitch", 0.8);
+  const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
+  assign_node_groups(inputs, translated, final_complex, stitched, graft);
+  Result<Labels> labels = labels_of(inputs, graft);
+  if (!labels) return Failure(labels.error());
+  merged.labels = std::move(*labels);
+
+  watch.start("check", 0.9);
+  const Outcome outcome{inputs, original, corefined, final_complex, stitched, graft, merged.labels, dropped};
+  summarise(outcome, report);
+  judge(outcome, zone.remeshed, translated, options, report);
+  Ledger ledger = ledger_of(inputs, graft, dropped);
+  report.groups = std::move(ledger.groups);
+  append(report.broken_promises, std::move(ledger.broken));
+  append(report.warnings, std::move(ledger.warnings));
+
+  watch.stop();
+  report.timings = watch.timings();
+  report.peak_memory_bytes = peak_memory_bytes();
+  return {};
+}
+
+}  // namespace meshgraft

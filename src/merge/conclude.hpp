@@ -1,0 +1,28 @@
+// The last steps of every operation: from the remeshed zone to the graft, its labels and the report.
+#pragma once
+
+#include "merge/dropped.hpp"
+#include "merge/group_table.hpp"
+#include "merge/inputs.hpp"
+#include "merge/remesh_zone.hpp"
+#include "merge/stopwatch.hpp"
+#include "meshgraft/merge.hpp"
+
+namespace meshgraft {
+
+/// What an operation has done so far.
+struct Operation {
+  Inputs inputs;
+  const Complex& original;     // the workpiece
+  const Corefined& corefined;  // the same, cut along the junction, without what was dropped
+  const RemeshedZone& zone;
+  const Dropped& dropped;
+  SetTranslation& translated;
+  const MergeOptions& options;
+};
+
+/// Stitches, gives labels, checks, and completes the report with all that is told by these; `merged`
+/// has the groups of the graft already. Error kLabelOverflow.
+[[nodiscard]] Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged);
+
+}  // namespace meshgraft

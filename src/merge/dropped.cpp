@@ -1,0 +1,119 @@
+#include "merge/dropped.hpp"
+
+#include <algorithm>
+
+#include "core/union_find.hpp"
+#include "geometry/quality.hpp"
+#include "intersect/shared.hpp"
+#include "merge/edges.hpp"
+
+namespace meshgraft {
+namespace {
+
+using Edge = std::array<VertexId, 2>;
+
+/// What is left of an edge when the marked faces are out.
+struct Remains {
+  std::size_t kept = 0, gone = 0;
+};
+
+Remains remains_of(std::span<const EdgeUse> edge, std::span<const std::uint8_t> marked) {
+  Remains r;
+  for (const EdgeUse& use : edge) ++(marked[use.face.value] != 0 ? r.gone : r.kept);
+  return r;
+}
+
+/// Notes which edges become free or go, and gives the edges that no face has any more, ascending.
+std::vector<Edge> note_edges(const Complex& complex, std::span<const std::uint8_t> marked, Dropped& dropped) {
+  std::vector<Edge> bare;
+  const std::vector<EdgeUse> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const Remains r = remains_of(edge, marked);
+    const VertexId a = edge[0].low, b = edge[0].high;
+    const Dropped::Segment segment{complex.position[a.value], complex.position[b.value]};
+    if (r.kept == 1 && r.gone > 0) dropped.borders.push_back(segment);
+    if (r.kept == 0 && r.gone == 1) dropped.free_edges.push_back(segment);
+    if (r.kept == 0) bare.push_back({a, b});
+  });
+  return bare;
+}
+
+void add(std::vector<double>& to, double amount, GroupSetId set, const GroupSets& sets, Dropped& dropped) {
+  for (const GroupId g : sets.members(set)) to[g.value] += amount, dropped.touched[g.value] = 1;
+}
+
+bool is_bare(const std::vector<Edge>& bare, const Complex::Line& line) {
+  const auto [low, high] = std::minmax(line.ends[0], line.ends[1]);
+  return std::ranges::binary_search(bare, Edge{low, high});
+}
+
+/// The list without the items whose face is marked.
+template <class T>
+void keep(std::vector<T>& list, std::span<const std::uint8_t> marked) {
+  std::size_t n = 0;
+  for (std::size_t f = 0; f < list.size(); ++f)
+    if (marked[f] == 0) list[n++] = list[f];
+  list.resize(n);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> pieces_of(const Complex& complex, std::span<const Edge> borders) {
+  UnionFind sets(complex.n_faces());
+  const std::vector<EdgeUse> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (std::ranges::binary_search(borders, Edge{edge[0].low, edge[0].high})) return;
+    for (std::size_t i = 1; i < edge.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (complex.component[edge[i].face.value] == complex.component[edge[j].face.value])
+          sets.unite(edge[i].face.value, edge[j].face.value);
+  });
+  std::vector<std::uint32_t> piece(complex.n_faces());
+  for (std::uint32_t f = 0; f < piece.size(); ++f) piece[f] = sets.find(f);
+  return piece;
+}
+
+void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, const GroupSets& sets, std::size_t n_groups,
+                Dropped& dropped) {
+  Complex& complex = corefined.complex;
+  dropped.area.resize(n_groups), dropped.length.resize(n_groups), dropped.touched.resize(n_groups);
+  const std::vector<Edge> bare = note_edges(complex, marked, dropped);
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    if (marked[f] != 0) add(dropped.area, area(complex.corners(FaceId(f))), complex.face_groups[f], sets, dropped);
+  std::erase_if(complex.lines, [&](const Complex::Line& line) {
+    if (!is_bare(bare, line)) return false;
+    const double length = distance(complex.position[line.ends[0].value], complex.position[line.ends[1].value]);
+    add(dropped.length, length, line.groups, sets, dropped);
+    return true;
+  });
+  keep(complex.face, marked), keep(complex.parent, marked), keep(complex.component, marked);
+  keep(complex.face_groups, marked), keep(complex.face_attributes, marked), keep(corefined.touched, marked);
+  corefined.junction_edges.clear(), corefined.junction_points.clear(), corefined.met.clear();
+  find_shared(corefined);
+}
+
+DroppedEntry entry_of(const Complex& complex, std::span<const FaceId> faces, const GroupSets& sets,
+                      std::span<const MergedGroup> groups) {
+  DroppedEntry entry;
+  entry.input = complex.parent[faces.front().value].input;
+  std::vector<ElementRef> parents;
+  std::vector<GroupId> members;
+  Vec3 moment;
+  for (const FaceId f : faces) {
+    const Triangle t = complex.corners(f);
+    parents.push_back(complex.parent[f.value]);
+    entry.area += area(t), moment += area(t) * centroid(t);
+    for (const GroupId g : sets.members(complex.face_groups[f.value])) members.push_back(g);
+  }
+  if (entry.area > 0) entry.at = moment / entry.area;
+  const auto make_set = [](auto& list) {
+    std::ranges::sort(list);
+    list.erase(std::ranges::unique(list).begin(), list.end());
+  };
+  make_set(parents), make_set(members);
+  entry.faces = parents.size();
+  for (const GroupId g : members) entry.groups.push_back(groups[g.value].name);
+  return entry;
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,47 @@
+// Pieces of a corefined complex, and what becomes of the complex when some of them are taken out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "intersect/corefine.hpp"
+#include "meshgraft/graft.hpp"
+#include "meshgraft/report.hpp"
+
+namespace meshgraft {
+
+/// What an operation took out on purpose, so that no check takes it for lost.
+struct Dropped {
+  using Segment = std::array<Vec3, 2>;
+  std::vector<Segment> borders;     // edges that became free
+  std::vector<Segment> free_edges;  // free edges that went
+  std::vector<double> area;         // by merged group, of the faces that went; empty: nothing went
+  std::vector<double> length;       // by merged group, of the 1D elements that went
+
+  [[nodiscard]] bool touches(GroupId g) const { return touched.size() > g.value && touched[g.value] != 0; }
+  [[nodiscard]] double area_of(GroupId g) const { return area.size() > g.value ? area[g.value] : 0; }
+  [[nodiscard]] double length_of(GroupId g) const { return length.size() > g.value ? length[g.value] : 0; }
+  std::vector<std::uint8_t> touched;  // by merged group: 1 if a member went
+};
+
+/// By face: the piece it is in, named after its smallest face. Faces that share an edge are in one piece,
+/// unless the edge is one of `borders` ((smaller, larger) vertex, ascending) or they are of different
+/// components.
+[[nodiscard]] std::vector<std::uint32_t> pieces_of(const Complex& complex,
+                                                   std::span<const std::array<VertexId, 2>> borders);
+
+/// Takes the marked faces out, and the lines that lie on none but their edges. Vertices keep their ids.
+/// Junction edges, junction points and meetings are found anew. What went is added to `dropped`.
+///
+///   marked    by face
+///   sets      the groups of the complex, of `n_groups` merged groups
+void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, const GroupSets& sets, std::size_t n_groups,
+                Dropped& dropped);
+
+/// The entry of the report for faces of one input.
+[[nodiscard]] DroppedEntry entry_of(const Complex& complex, std::span<const FaceId> faces, const GroupSets& sets,
+                                    std::span<const MergedGroup> groups);
+
+}  // namespace meshgraft

@@ -1,0 +1,19 @@
+// Loose ends of parts that stick out beyond what they are joined to (`--trim beyond`).
+#pragma once
+
+#include <vector>
+
+#include "merge/dropped.hpp"
+
+namespace meshgraft {
+
+/// Drops the loose ends of parts, and tells which they were.
+///
+/// A loose end is a piece of a part that
+///  (1) the junction cuts off the rest of its part, along one connected line;
+///  (2) has a free edge, and no node farther than `length` from that line;
+///  (3) nothing else holds: no 1D element beside its own edges, no other element, no other part.
+/// Of two pieces on either side of one line, neither is dropped if both are such.
+std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft& graft, Dropped& dropped);
+
+}  // namespace meshgraft
