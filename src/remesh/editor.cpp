@@ -11,6 +11,7 @@ namespace {
 constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
 constexpr double kSizeWeight = 0.1;   // of the squared logarithm of the relative size in the cost
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
+constexpr double kTurned = 10;        // deviation of a face that leans more; farther than any leeway
 constexpr int kEdgeSamples = 3;       // inside an edge, where its distance from the reference is taken
 
 }  // namespace
@@ -100,8 +101,8 @@ double Editor::deviation(const LocalFace& f) const {
     return foot.distance / (options_.max_deviation * reference_.edge_length(foot.face));
   };
   const Foot middle = reference_.project(f.sheet, centroid(t), hint);
-  if (dot(unit_normal(t), reference_.normal(middle.face)) < kLeastCosine)
-    return std::numeric_limits<double>::infinity();
+  const double cosine = dot(unit_normal(t), reference_.normal(middle.face));
+  if (cosine < kLeastCosine) return kTurned * (1 + kLeastCosine - cosine);
   double worst = share(middle);
   for (std::size_t k = 0; k < 3; ++k) {
     if (f.curve[k].valid()) continue;
@@ -121,8 +122,7 @@ double Editor::deviation(FaceId f) {
 
 double Editor::allowed_deviation(std::span<const FaceId> replaced) {
   double worst = leeway_;
-  for (const FaceId f : replaced)
-    if (std::isfinite(deviation(f))) worst = std::max(worst, deviation(f));
+  for (const FaceId f : replaced) worst = std::max(worst, deviation(f));
   return worst;
 }
 
@@ -232,6 +232,7 @@ std::optional<VertexId> Editor::split_curve(VertexId a, VertexId b, CurveId curv
 std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
   const std::vector<FaceId> faces = mesh_.faces_at(a, b);
   if (!splittable(faces)) return std::nullopt;
+  const double allowed = allowed_deviation(faces);
   const Mark start = mark();
   const CurveId curve = mesh_.curve_at(a, b);
   std::optional<VertexId> id;
@@ -257,7 +258,7 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
   // Off the old edge, a face can have turned over.
   const Vec3 chord = midpoint(mesh_.position(a), mesh_.position(b));
   for (const FaceId f : mesh_.star(*id))
-    if (!faces_right(mesh_.face(f)) || mesh_.quality(mesh_.face(f), *id, chord) <= kFlat) {
+    if (!faces_right(mesh_.face(f)) || mesh_.quality(mesh_.face(f), *id, chord) <= kFlat || deviation(f) > allowed) {
       undo(start);
       return std::nullopt;
     }

@@ -37,8 +37,8 @@ class Editor {
   double cost(FaceId f);
   double cost(std::span<const FaceId> faces);
 
-  /// Distance of a face from the reference over what RemeshOptions::max_deviation allows; infinite if it does
-  /// not face like the reference beneath; 0 in planar sheets. No change leaves a face with more than
+  /// Distance of a face from the reference over what RemeshOptions::max_deviation allows; 10 and more if it
+  /// does not face like the reference beneath; 0 in planar sheets. No change leaves a face with more than
   /// 1, unless the faces it replaces have more.
   double deviation(FaceId f);
   /// Lets every change go this far instead of 1.
