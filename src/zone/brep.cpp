@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "geometry/quality.hpp"
@@ -71,6 +72,7 @@ class Reader {
         edges_(complex),
         faces_at_(complex),
         parents_(complex),
+        area_vector_(area_vectors(parents_, complex)),
         curves_(curve_edges(complex, edges_, parents_, junction_edges, options)),
         degree_(edges_, curves_, complex.n_vertices()),
         fans_(complex, edges_, curves_),
@@ -122,28 +124,46 @@ class Reader {
   bool is_explicit(VertexId v, std::uint32_t component) {
     const auto groups = [&](VertexId w) { return complex_.groups_on(component, w); };
     const GroupSetId all = groups(v);
-    GroupSetId area = all;
-    for (const FaceId f : faces_at_[v])
-      if (complex_.component[f.value] == component)
-        for (const VertexId w : complex_.face[f.value]) area = groups_.intersect(area, groups(w));
-    if (area == all) return false;
-    GroupSetId line = GroupSets::kEmpty;
-    if (degree_.count[v.value] == 2) {
-      line = all;
-      for (const EdgeId e : degree_.around[v.value])
-        for (const VertexId w : edges_.ends(e)) line = groups_.intersect(line, groups(w));
+    GroupSetId around = all;
+    std::vector<std::pair<GroupSetId, GroupSetId>> areas;  // element groups of faces, node groups all over those
+    for (const FaceId f : faces_at_[v]) {
+      if (complex_.component[f.value] != component) continue;
+      const GroupSetId key = complex_.face_groups[f.value];
+      auto area = std::ranges::find(areas, key, &std::pair<GroupSetId, GroupSetId>::first);
+      if (area == areas.end()) area = areas.insert(areas.end(), {key, all});
+      for (const VertexId w : complex_.face[f.value]) area->second = groups_.intersect(area->second, groups(w));
+      around = groups_.intersect(around, area->second);
     }
-    return groups_.unite(area, line) != all;
+    if (around == all) return false;
+    if (degree_.count[v.value] != 2) return true;
+    GroupSetId line = all;
+    bool feature = true;
+    for (const EdgeId e : degree_.around[v.value]) {
+      for (const VertexId w : edges_.ends(e)) line = groups_.intersect(line, groups(w));
+      feature = feature && is_feature(e, component);
+    }
+    if (feature) return groups_.unite(around, line) != all;
+    for (const auto& [key, area] : areas) around = groups_.unite(around, groups_.intersect(line, area));
+    return around != all;
+  }
+
+  /// Whether the edge is free, branching or sharp in the mesh of the component.
+  [[nodiscard]] bool is_feature(EdgeId e, std::uint32_t component) const {
+    std::vector<std::uint32_t> parents;
+    for (const EdgeUse& use : edges_.uses(e))
+      if (complex_.component[use.face.value] == component) parents.push_back(parents_.of_face[use.face.value]);
+    if (parents.size() != 2) return true;
+    const Vec3 m = area_vector_[parents[0]], n = area_vector_[parents[1]];
+    return std::atan2(norm(cross(m, n)), dot(m, n)) > options_.sharp_angle;
   }
 
   void mark_sharp_turns() {
-    const std::vector<Vec3> area_vector = area_vectors(parents_, complex_);
     std::vector<double> reach(complex_.n_vertices(), 0);
     for (std::size_t v = 0; v < reach.size(); ++v) {
       if (degree_.count[v] != 2) continue;
       double least = std::numeric_limits<double>::infinity();
       for (const FaceId f : faces_at_[VertexId(v)])
-        least = std::min(least, edge_length_of_area(norm(area_vector[parents_.of_face[f.value]])));
+        least = std::min(least, edge_length_of_area(norm(area_vector_[parents_.of_face[f.value]])));
       reach[v] = kTurnReach * least;
     }
     for (const Chain& chain : chains(edges_, curves_, degree_, corner_))
@@ -233,6 +253,7 @@ class Reader {
   EdgeTable edges_;
   VertexFaces faces_at_;
   Parents parents_;
+  std::vector<Vec3> area_vector_;  // by parent
   CurveEdges curves_;
   CurveDegree degree_;
   Fans fans_;

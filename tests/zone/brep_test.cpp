@@ -105,9 +105,9 @@ TEST(Brep, JunctionLineIsOneCurveThatParts) {
   EXPECT_EQ(brep.sheets.size(), 3u);  // two halves of the plate, one wall
 }
 
-TEST(Brep, GroupBorderIsACurveThatGroupNodesOnItDoNotBreak) {
+/// A plate with the element group LOW on its lower row of squares.
+ModelBuilder two_rows(std::array<std::array<NodeId, 5>, 3>& n) {
   ModelBuilder b;
-  std::array<std::array<NodeId, 5>, 3> n;
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 5; ++c) n[r][c] = b.add_node({double(c), double(r), 0});
   for (std::size_t r = 0; r < 2; ++r)
@@ -115,13 +115,46 @@ TEST(Brep, GroupBorderIsACurveThatGroupNodesOnItDoNotBreak) {
       for (const ElementId f :
            {b.add_face(n[r][c], n[r][c + 1], n[r + 1][c + 1]), b.add_face(n[r][c], n[r + 1][c + 1], n[r + 1][c])})
         if (r == 0) b.add_to_group("LOW", f);
-  for (std::size_t c = 0; c < 5; ++c) b.add_to_group("LINE", n[1][c]);
+  return b;
+}
+
+TEST(Brep, GroupBorderIsACurveThatNodesOfTheSameAreaDoNotBreak) {
+  std::array<std::array<NodeId, 5>, 3> n;
+  ModelBuilder b = two_rows(n);
+  for (const auto& row : {n[0], n[1]})
+    for (const NodeId node : row) b.add_to_group("LOW_NODES", node);
   Joined j = joined(std::array{b.build()});
   const Brep brep = read(j);
   EXPECT_EQ(brep.sheets.size(), 2u);
   const auto inside = std::ranges::find_if(brep.curves, [](const Curve& c) { return !c.free; });
   ASSERT_NE(inside, brep.curves.end());
   EXPECT_EQ(inside->chain.size(), 5u);
+}
+
+TEST(Brep, NodesNamedAlongALineStayUnlessTheLineIsAnEdgeOfTheShape) {
+  std::array<std::array<NodeId, 5>, 3> n;
+  ModelBuilder b = two_rows(n);
+  for (std::size_t c = 0; c < 5; ++c) b.add_to_group("LINE", n[1][c]), b.add_to_group("RIM", n[0][c]);
+  Joined j = joined(std::array{b.build()});
+  const Brep brep = read(j);
+  for (std::size_t c = 1; c < 4; ++c) {
+    EXPECT_EQ(brep.dimension[vertex_at(j.complex, {double(c), 1, 0}).value], Dimension::kCorner);
+    EXPECT_EQ(brep.dimension[vertex_at(j.complex, {double(c), 0, 0}).value], Dimension::kCurve);
+  }
+}
+
+TEST(Brep, ASheetStaysPlaneWhoseBorderWasPulledALittle) {
+  Joined j = joined(std::array{plate()});
+  const VertexId rim = vertex_at(j.complex, {2, 0, 0}), inner = vertex_at(j.complex, {2, 2, 0});
+  j.complex.position[rim.value].z = 0.005;
+  Brep brep = read(j);
+  ASSERT_EQ(brep.sheets.size(), 1u);
+  EXPECT_TRUE(brep.sheets[0].planar);
+  EXPECT_NEAR(std::abs(brep.sheets[0].normal.z), 1, 1e-12);
+  j.complex.position[rim.value].z = 0.05;
+  EXPECT_FALSE(read(j).sheets[0].planar) << "too far off";
+  j.complex.position[rim.value].z = 0, j.complex.position[inner.value].z = 0.005;
+  EXPECT_FALSE(read(j).sheets[0].planar) << "its inside tells the plane";
 }
 
 TEST(Brep, LoneGroupNodeStays) {
