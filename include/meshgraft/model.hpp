@@ -62,13 +62,15 @@ struct Units {
   friend bool operator==(const Units&, const Units&) = default;
 };
 
-/// A coordinate system that a file defines (UNV: datasets 2420 and 18) or that its nodes name. One
-/// that is named without being defined is taken as the global one. Coordinates are never transformed.
+/// A coordinate system that a file defines (UNV: datasets 2420 and 18) or that its nodes name: for their
+/// coordinates, for showing them, or for their displacements. One that is named without being defined is
+/// taken as the global one. Coordinates are never transformed.
 struct CoordinateSystem {
   std::int64_t label = 0;
   std::int64_t type = 0;                                            // 0 Cartesian, 1 cylindrical, 2 spherical
   std::array<double, 12> axes{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};  // three rows of rotation, then the origin
   NodeId first_node;                                                // of those that name it; may be invalid
+  NodeId first_placed = {};  // of those whose coordinates are given in it (UNV: datasets 15 and 781); may be invalid
   [[nodiscard]] bool same_as(const CoordinateSystem& other) const { return type == other.type && axes == other.axes; }
   [[nodiscard]] bool is_global() const { return same_as({}); }
 };

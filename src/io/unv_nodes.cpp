@@ -120,23 +120,29 @@ bool fast_record(const Document& d, std::size_t begin, std::size_t limit, NodeRe
 /// What a dataset has that deserves a warning, and the systems its nodes name.
 class Findings {
  public:
+  explicit Findings(std::int64_t dataset_number)
+      : uses_{dataset_number == kCurrentNodes ? kExport : kPlacing, kDisplacement} {}
+
   Irregular tokens, two_reals;
   NamedSystems systems;
 
   /// Systems seldom change from one node to the next.
   void add_systems(const NodeRecord& record, std::size_t at) {
-    const bool is_first = systems.empty();
+    const bool is_first = systems[kDisplacement].empty();
     for (std::size_t k = 0; k < last_.size(); ++k)
-      if (is_first || record.fields[k] != last_[k]) systems.try_emplace(record.fields[k], at);
+      if (is_first || record.fields[k] != last_[k]) systems[uses_[k]].try_emplace(record.fields[k], at);
     last_ = {record.fields[0], record.fields[1]};
   }
   void add(const Findings& later) {
     tokens.add(later.tokens), two_reals.add(later.two_reals);
-    for (const auto& [label, at] : later.systems) systems.try_emplace(label, at);
+    for (std::size_t use = 0; use < kSystemUses; ++use)
+      systems[use].insert(later.systems[use].begin(), later.systems[use].end());
   }
 
  private:
-  std::array<std::int64_t, 2> last_{};  // definition and displacement system
+  static constexpr std::int64_t kCurrentNodes = 2411;
+  std::array<SystemUse, 2> uses_;
+  std::array<std::int64_t, 2> last_{};  // of fields 2 and 3
 };
 
 std::size_t count_lines(std::string_view text, char terminator) {
@@ -157,7 +163,7 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
 
   const std::size_t before = model.position.size(), after = before + first_line[n] / 2;
   model.position.resize(after), model.node_label.resize(after), model.node_place.resize(after);
-  std::vector<Findings> found(n);
+  std::vector<Findings> found(n, Findings(dataset.number));
   std::atomic<bool> good = true;
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     std::vector<std::int64_t> scratch;
@@ -222,14 +228,15 @@ tl::expected<NodeRecord, Fault> node_record(const LineScanner& lines, std::size_
 
 tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, Model& model, NamedSystems& systems,
                                      std::vector<Warning>& warnings) {
-  Findings findings;
+  Findings findings(dataset.number);
   const bool regular =
       node_layout_of(dataset.number) == NodeLayout::kTwoLines && read_regular(d, dataset, model, findings);
   if (!regular) {
-    findings = {};
+    findings = Findings(dataset.number);
     if (auto done = read_one_by_one(d, dataset, model, findings); !done) return done;
   }
-  for (const auto& [label, at] : findings.systems) systems.try_emplace(label, at);
+  for (std::size_t use = 0; use < kSystemUses; ++use)
+    systems[use].insert(findings.systems[use].begin(), findings.systems[use].end());
   if (findings.tokens.count > 0)
     warnings.push_back(d.warning(
         "free-format",

@@ -19,7 +19,7 @@ enum class NodeLayout : std::uint8_t { kTwoLines, kOneLine };
 
 struct NodeRecord {
   std::int64_t label = 0;
-  std::array<std::int64_t, 3> fields{};  // definition system, displacement system, colour
+  std::array<std::int64_t, 3> fields{};  // system of coordinates or for export, of displacements; colour
   Vec3 position;
   bool columns = true;     // all fields stand in their columns
   bool two_reals = false;  // z was not given
@@ -32,8 +32,12 @@ struct NodeRecord {
                                                           std::size_t limit, NodeLayout layout,
                                                           std::vector<std::int64_t>& scratch);
 
-/// Coordinate systems that nodes name, with the offset of the first record that does.
-using NamedSystems = std::map<std::int64_t, std::size_t>;
+/// What nodes name a coordinate system for. In datasets 15 and 781 the second field says in which one
+/// the coordinates are; in 2411 they are global, and it says in which one they shall be shown.
+enum SystemUse : std::size_t { kPlacing, kExport, kDisplacement, kSystemUses };
+
+/// Coordinate systems that nodes name, with the offset of the first record that does, by use.
+using NamedSystems = std::array<std::map<std::int64_t, std::size_t>, kSystemUses>;
 
 /// Appends the nodes of one dataset: position, label, place, and the systems they name. Parses in parallel when all
 /// records have the same number of lines, which the result does not depend on.

@@ -1,6 +1,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 
@@ -226,25 +227,35 @@ class Reader {
       else
         for (const CoordinateSystem& system : *defined) systems.try_emplace(system.label, system);
     }
-    for (const auto& [label, at] : named_systems_) {
-      CoordinateSystem& system = systems[label];
-      system.label = label;
-      const auto after = std::ranges::upper_bound(model_.node_place, at);
-      system.first_node = NodeId(static_cast<std::size_t>(after - model_.node_place.begin()) - 1);
-    }
+    for (std::size_t use = 0; use < kSystemUses; ++use)
+      for (const auto& [label, at] : named_systems_[use]) {
+        CoordinateSystem& system = systems[label];
+        system.label = label;
+        const NodeId node = node_at(at);
+        if (!system.first_node.valid() || node < system.first_node) system.first_node = node;
+        if (use == kPlacing) system.first_placed = node;
+      }
     for (const auto& [label, system] : systems) model_.coordinate_systems.push_back(system);
   }
 
+  /// The node whose record begins there.
+  [[nodiscard]] NodeId node_at(std::size_t offset) const {
+    const auto after = std::ranges::upper_bound(model_.node_place, offset);
+    return NodeId(static_cast<std::size_t>(after - model_.node_place.begin()) - 1);
+  }
+
   void warn_about_systems() {
-    for (const CoordinateSystem& system : model_.coordinate_systems) {
-      if (!system.first_node.valid() || system.is_global()) continue;
-      const std::uint32_t node = system.first_node.value;
-      model_.warnings.push_back(d_.warning("coordinate-system",
-                                           "node " + std::to_string(model_.node_label[node]) +
-                                               " names coordinate system " + std::to_string(system.label) +
-                                               ", which is not the global one; coordinates are used as they are",
-                                           model_.node_place[node]));
-    }
+    constexpr std::array kSays{"has its coordinates in system ", "shall be shown in coordinate system "};
+    constexpr std::array kThen{"; they are used as they are", "; its coordinates are used as global ones"};
+    for (const SystemUse use : {kPlacing, kExport})
+      for (const auto& [label, at] : named_systems_[use]) {
+        if (model_.coordinate_system(label).is_global()) continue;
+        const std::uint32_t node = node_at(at).value;
+        model_.warnings.push_back(d_.warning("coordinate-system",
+                                             "node " + std::to_string(model_.node_label[node]) + " " + kSays[use] +
+                                                 std::to_string(label) + ", which is not the global one" + kThen[use],
+                                             model_.node_place[node]));
+      }
   }
 
   Document& d_;

@@ -73,6 +73,19 @@ std::string text_of(const CoordinateSystem& system) {
          " with origin " + text_of(origin);
 }
 
+/// Distances mean nothing between coordinates of different systems, nor in curvilinear ones.
+Result<void> check_places(Inputs inputs) {
+  for (const Model* model : inputs)
+    for (const CoordinateSystem& system : model->coordinate_systems)
+      if (system.first_placed.valid() && !system.is_global())
+        return failure(ErrorCode::kCoordinateSystem,
+                       "node " + std::to_string(model->node_label[system.first_placed.value]) +
+                           " has its coordinates in system " + std::to_string(system.label) + ", which is " +
+                           text_of(system),
+                       "export the model in global Cartesian coordinates", place_of(*model, system.first_placed));
+  return {};
+}
+
 /// In the output the nodes of a part name the systems of the base.
 Result<void> check_systems(Inputs inputs) {
   const Model& base = *inputs[0];
@@ -143,6 +156,7 @@ Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const 
     extents.push_back(extent_of(*model, faces));
   }
   if (const auto ok = check_units(inputs); !ok) return ok;
+  if (const auto ok = check_places(inputs); !ok) return ok;
   if (const auto ok = check_systems(inputs); !ok) return ok;
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     const Extent &a = extents[0], &b = extents[k];

@@ -156,6 +156,25 @@ TEST(UnvStructure, SystemThatIsNotTheGlobalOneIsWarnedAbout) {
   EXPECT_TRUE(warns(read(dataset("2420", replaced(system, "D+00   1", "D+00   x")) + mesh()), "coordinate-system"));
 }
 
+TEST(UnvStructure, OnlyOldDatasetsGiveCoordinatesInASystem) {
+  const std::string old = line({5, 1, 0, 8, 0}) + "RIM\n" +
+                          "  1.00000E+00  2.00000E+00  3.00000E+00  1.00000E+00  4.00000E+00  3.00000E+00\n"
+                          "  1.00000E+00  2.00000E+00  9.00000E+00\n";
+  const auto with = [&](const char* dataset_number, std::initializer_list<std::int64_t> record) {
+    const std::string nodes = replaced(kNodes, line({6, 1, 1, 11}), line(record));
+    return read(dataset("18", old) + dataset(dataset_number, nodes) + dataset("2412", kElements));
+  };
+  const Model placed = with("781", {6, 5, 1, 11}), shown = with("2411", {6, 5, 1, 11});
+  EXPECT_EQ(placed.coordinate_system(5).first_placed, NodeId(5u));
+  EXPECT_FALSE(shown.coordinate_system(5).first_placed.valid());
+  EXPECT_TRUE(warns(placed, "coordinate-system"));
+  EXPECT_TRUE(warns(shown, "coordinate-system"));
+  const Model displaced = with("2411", {6, 1, 5, 11});
+  EXPECT_EQ(displaced.coordinate_system(5).first_node, NodeId(5u));
+  EXPECT_FALSE(displaced.coordinate_system(5).first_placed.valid());
+  EXPECT_FALSE(warns(displaced, "coordinate-system"));  // nothing geometric
+}
+
 TEST(UnvStructure, SystemsAreThoseDefinedAndThoseNamedByNodes) {
   const std::string old = line({5, 1, 0, 8, 0}) + "RIM\n" +
                           "  1.00000E+00  2.00000E+00  3.00000E+00  1.00000E+00  4.00000E+00  3.00000E+00\n"

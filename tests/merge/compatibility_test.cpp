@@ -74,6 +74,20 @@ TEST(Compatibility, UnitFactorsMustAgreeAndBothAreNamed) {
   EXPECT_TRUE(check_compatible(inputs, {}).has_value());  // a file that says nothing contradicts nothing
 }
 
+TEST(Compatibility, CoordinatesInASystemOfTheirOwnAreRefused) {
+  CoordinateSystem rim{.label = 3, .type = 1, .first_node = NodeId(4u), .first_placed = NodeId(4u)};
+  Model a = plate(), b = plate();
+  const std::array<const Model*, 2> inputs{&a, &b};
+  a.coordinate_systems = b.coordinate_systems = {rim};
+  const auto refused = check_compatible(inputs, {});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::kCoordinateSystem);
+  EXPECT_NE(refused.error().what.find("cylindrical"), std::string::npos) << refused.error().what;
+  rim.type = 0;  // the global one under another label
+  a.coordinate_systems = b.coordinate_systems = {rim};
+  EXPECT_TRUE(check_compatible(inputs, {}).has_value());
+}
+
 TEST(Compatibility, ASystemThatNodesOfAPartNameMeansTheSameInTheBase) {
   const CoordinateSystem rim{.label = 3, .type = 1, .first_node = NodeId(4u)};
   CoordinateSystem unused = rim, moved = rim, global{.label = 3, .first_node = NodeId(4u)};
