@@ -164,9 +164,38 @@ Result<Method> method(const Typed& typed) {
   return choice(typed, kNames, kLater).map([](std::size_t) { return Method::kAdaptive; });
 }
 
-class MergeCommand {
+/// What every command has, around what is its own.
+template <class Out>
+class CommandReader {
  public:
-  explicit MergeCommand(CLI::App& app) : a_(app, "merge", "graft PARTs onto BASE") {
+  CommandReader(CLI::App& app, const std::string& name, const std::string& help) : a_(app, name, help) {}
+  CommandReader(const CommandReader&) = delete;
+  CommandReader& operator=(const CommandReader&) = delete;
+  virtual ~CommandReader() = default;
+
+  [[nodiscard]] bool called() const { return a_.called(); }
+  [[nodiscard]] Result<Command> read() {
+    Result<void> done = a_.well_formed();
+    if (done) done = read_own();
+    if (!done) return Failure(done.error());
+    return common_.read(a_).map([&](const Common& common) {
+      out_.common = common;
+      return Command(std::move(out_));
+    });
+  }
+
+ protected:
+  /// Judges names and values, which are well formed, and stores them in `out_`.
+  [[nodiscard]] virtual Result<void> read_own() = 0;
+
+  Arguments a_;
+  CommonOptions common_;
+  Out out_;
+};
+
+class MergeCommand : public CommandReader<MergeArguments> {
+ public:
+  explicit MergeCommand(CLI::App& app) : CommandReader(app, "merge", "graft PARTs onto BASE") {
     a_.name("BASE", out_.base, "mesh that is kept but for the zone where parts meet it (UNV)");
     a_.names("PART", out_.parts, "meshes that are grafted onto it, one or more (UNV)");
     a_.value("-o,--output", "OUT", "file written (UNV); appears whole or not at all; required");
@@ -191,22 +220,19 @@ class MergeCommand {
     for (const auto& [name, reason] : kNotInThisVersion) a_.value(name, "NAME", reason)->group(kHidden);
   }
 
-  [[nodiscard]] const Arguments& arguments() const { return a_; }
-
-  [[nodiscard]] Result<Command> read() {
+ private:
+  Result<void> read_own() override {
     for (const auto& [name, reason] : kNotInThisVersion)
       if (a_.typed(name)) return failure(ErrorCode::kUsage, fmt::format("{} is {}", name, reason), a_.see_help());
     if (out_.base.empty()) return a_.missing("BASE, the mesh to graft onto,");
     if (out_.parts.empty())
       return failure(ErrorCode::kUsage,
                      "PART is missing; joining a base with itself is not in this version of meshgraft", a_.see_help());
-    const auto done = read_options();
-    if (!done) return Failure(done.error());
-    if (out_.output.empty()) return a_.missing("-o OUT, the file to write,");
-    return std::move(out_);
+    Result<void> done = read_options();
+    if (done && out_.output.empty()) return a_.missing("-o OUT, the file to write,");
+    return done;
   }
 
- private:
   /// Options of the method that this version refuses: an option is honoured or an error.
   static constexpr std::pair<const char*, const char*> kNotInThisVersion[] = {
       {"--overlap", "not in this version of meshgraft: faces that lie on each other are an error [overlap]"},
@@ -225,81 +251,53 @@ class MergeCommand {
     if (done) done = store(a_, "--size", size, o.size);
     if (done) done = store(a_, "--bandwidth", bandwidth, o.bandwidth);
     if (done) done = store(a_, "--min-quality", quality, o.min_quality);
-    if (!done) return done;
-    return common_.read(a_).map([&](const Common& common) { out_.common = common; });
+    return done;
   }
-
-  Arguments a_;
-  CommonOptions common_;
-  MergeArguments out_;
 };
 
-class CheckCommand {
+class CheckCommand : public CommandReader<CheckArguments> {
  public:
-  explicit CheckCommand(CLI::App& app) : a_(app, "check", "say what is wrong with the mesh in FILE") {
+  explicit CheckCommand(CLI::App& app) : CommandReader(app, "check", "say what is wrong with the mesh in FILE") {
     a_.name("FILE", out_.file, "mesh to check (UNV)");
     a_.value("--min-quality", "Q", "faces with a lower aspect ratio are counted, 0 to 0.9 [default: 0.5]");
     common_.add(a_, "print nothing; the exit code is the answer", {});
   }
-  [[nodiscard]] const Arguments& arguments() const { return a_; }
-  [[nodiscard]] Result<Command> read() {
-    if (out_.file.empty()) return a_.missing("FILE");
-    const auto done = store(a_, "--min-quality", quality, out_.min_quality);
-    if (!done) return Failure(done.error());
-    const auto common = common_.read(a_);
-    if (!common) return Failure(common.error());
-    out_.common = *common;
-    return std::move(out_);
-  }
 
  private:
-  Arguments a_;
-  CommonOptions common_;
-  CheckArguments out_;
+  Result<void> read_own() override {
+    if (out_.file.empty()) return a_.missing("FILE");
+    return store(a_, "--min-quality", quality, out_.min_quality);
+  }
 };
 
-class InfoCommand {
+class InfoCommand : public CommandReader<InfoArguments> {
  public:
-  explicit InfoCommand(CLI::App& app) : a_(app, "info", "say what is in FILE") {
+  explicit InfoCommand(CLI::App& app) : CommandReader(app, "info", "say what is in FILE") {
     a_.name("FILE", out_.file, "mesh to describe (UNV)");
     common_.add(a_, {}, "all groups, not only the first 30");
   }
-  [[nodiscard]] const Arguments& arguments() const { return a_; }
-  [[nodiscard]] Result<Command> read() {
-    if (out_.file.empty()) return a_.missing("FILE");
-    const auto common = common_.read(a_);
-    if (!common) return Failure(common.error());
-    out_.common = *common;
-    return std::move(out_);
-  }
 
  private:
-  Arguments a_;
-  CommonOptions common_;
-  InfoArguments out_;
+  Result<void> read_own() override {
+    if (out_.file.empty()) return a_.missing("FILE");
+    return {};
+  }
 };
 
-class ConvertCommand {
+class ConvertCommand : public CommandReader<ConvertArguments> {
  public:
-  explicit ConvertCommand(CLI::App& app) : a_(app, "convert", "write the mesh in IN to OUT; loses nothing") {
+  explicit ConvertCommand(CLI::App& app) : CommandReader(app, "convert", "write the mesh in IN to OUT; loses nothing") {
     a_.name("IN", out_.input, "mesh to read (UNV)");
     a_.name("OUT", out_.output, "file written (UNV); appears whole or not at all");
     common_.add(a_, "print nothing but errors and warnings", {});
   }
-  [[nodiscard]] const Arguments& arguments() const { return a_; }
-  [[nodiscard]] Result<Command> read() {
-    if (out_.input.empty()) return a_.missing("IN, the file to read,");
-    if (out_.output.empty()) return a_.missing("OUT, the file to write,");
-    const auto common = common_.read(a_);
-    if (!common) return Failure(common.error());
-    out_.common = *common;
-    return std::move(out_);
-  }
 
  private:
-  Arguments a_;
-  CommonOptions common_;
-  ConvertArguments out_;
+  Result<void> read_own() override {
+    if (out_.input.empty()) return a_.missing("IN, the file to read,");
+    if (out_.output.empty()) return a_.missing("OUT, the file to write,");
+    return {};
+  }
 };
 
 constexpr const char* kExitCodes =
@@ -314,13 +312,6 @@ const std::map<std::string, std::string>& usage() {
                                                          {"info", "info FILE [options]"},
                                                          {"convert", "convert IN OUT [options]"}};
   return kUsage;
-}
-
-template <class C>
-Result<Command> read(C& command) {
-  const auto good = command.arguments().well_formed();
-  if (!good) return Failure(good.error());
-  return command.read();
 }
 
 /// `extras`: what stands outside of any command.
@@ -372,10 +363,10 @@ Result<Command> command(std::span<const char* const> arguments) {
   std::vector<std::string> extras = app.remaining();
   std::erase(extras, kNamesFollow);
   if (!extras.empty()) return no_command(extras);
-  if (merge.arguments().called()) return read(merge);
-  if (check.arguments().called()) return read(check);
-  if (info.arguments().called()) return read(info);
-  if (convert.arguments().called()) return read(convert);
+  if (merge.called()) return merge.read();
+  if (check.called()) return check.read();
+  if (info.called()) return info.read();
+  if (convert.called()) return convert.read();
   return no_command({});
 }
 
