@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/source.hpp"
+#include "core/summary.hpp"
 
 namespace meshgraft {
 
@@ -19,39 +20,9 @@ std::string sha256(std::string_view bytes) {
   return text;
 }
 
-const char* name(Shape shape) {
-  switch (shape) {
-    case Shape::kPoint:
-      return "point";
-    case Shape::kLine:
-      return "line";
-    case Shape::kLine3:
-      return "line3";
-    case Shape::kTriangle:
-      return "triangle";
-    case Shape::kTriangle6:
-      return "triangle6";
-    case Shape::kQuad:
-      return "quad";
-    case Shape::kQuad8:
-      return "quad8";
-    case Shape::kSolid:
-      return "solid";
-    case Shape::kOther:
-      break;
-  }
-  return "other";
-}
-
 InputSummary input_summary(const Model& model) {
-  InputSummary summary;
-  summary.path = model.path;
+  InputSummary summary = counts_of(model);
   if (model.source) summary.sha256 = sha256(model.source->text()), summary.bytes = model.source->text().size();
-  summary.nodes = model.n_nodes(), summary.elements = model.n_elements(), summary.groups = model.groups.size();
-  std::vector<std::uint64_t> by_attributes(model.attributes.size());
-  for (const AttributesId a : model.element_attributes) ++by_attributes[a.value];
-  for (std::size_t k = 0; k < by_attributes.size(); ++k)
-    if (by_attributes[k] > 0) summary.elements_by_kind[name(model.attributes[k].shape)] += by_attributes[k];
   return summary;
 }
 

@@ -12,9 +12,6 @@ namespace meshgraft {
 /// SHA-256 in hexadecimal.
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// "point", "line", "triangle", ...: the names used in reports.
-[[nodiscard]] const char* name(Shape shape);
-
 /// Path, digest and size of the source (both empty without one), and counts.
 [[nodiscard]] InputSummary input_summary(const Model& model);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/summary.hpp"
 #include "merge/compatibility.hpp"
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"

@@ -10,30 +10,6 @@
 namespace meshgraft {
 namespace {
 
-const char* kind_name(Shape shape) {
-  switch (shape) {
-    case Shape::kPoint:
-      return "point";
-    case Shape::kLine:
-      return "line";
-    case Shape::kLine3:
-      return "parabolic line";
-    case Shape::kTriangle:
-      return "triangle";
-    case Shape::kTriangle6:
-      return "parabolic triangle";
-    case Shape::kQuad:
-      return "quadrilateral";
-    case Shape::kQuad8:
-      return "parabolic quadrilateral";
-    case Shape::kSolid:
-      return "solid";
-    case Shape::kOther:
-      return "other";
-  }
-  return "other";
-}
-
 std::uint64_t count_faces(const Model& model, const std::vector<ElementId>& elements) {
   return static_cast<std::uint64_t>(std::ranges::count_if(elements, [&](ElementId e) { return model.is_face(e); }));
 }
@@ -81,17 +57,6 @@ void list_moves(const Outcome& outcome, Report& report) {
 }
 
 }  // namespace
-
-InputSummary counts_of(const Model& model) {
-  InputSummary s;
-  s.path = model.path;
-  s.nodes = model.n_nodes(), s.elements = model.n_elements(), s.groups = model.groups.size();
-  std::vector<std::uint64_t> by_attributes(model.attributes.size());
-  for (const AttributesId a : model.element_attributes) ++by_attributes[a.value];
-  for (std::size_t a = 0; a < by_attributes.size(); ++a)
-    if (by_attributes[a] > 0) s.elements_by_kind[kind_name(model.attributes[a].shape)] += by_attributes[a];
-  return s;
-}
 
 void summarise(const Outcome& outcome, Report& report) {
   count_changes(outcome, report);

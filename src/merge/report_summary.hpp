@@ -6,9 +6,6 @@
 
 namespace meshgraft {
 
-/// Path and counts of an input; the digest and the size of its file are the reader's to add.
-[[nodiscard]] InputSummary counts_of(const Model& model);
-
 /// Fills zone (but bandwidth and widened), junction, untouched (but bytes), labels, removed_*, moved.
 void summarise(const Outcome& outcome, Report& report);
 
