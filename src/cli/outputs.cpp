@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "io/atomic_output.hpp"
+
 namespace meshgraft::cli {
 namespace {
 
@@ -15,7 +17,9 @@ namespace fs = std::filesystem;
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code none;
   if (fs::equivalent(a, b, none)) return true;
-  const auto full = [&](const std::string& path) { return fs::weakly_canonical(fs::absolute(path, none), none); };
+  const auto full = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(without_links(path), none), none);
+  };
   return !full(a).empty() && full(a) == full(b);
 }
 
@@ -35,6 +39,9 @@ Result<void> check_place(const NamedFile& file) {
     return cannot_write(file, fmt::format("'{}' is not a directory", directory.string()),
                         "give another name to " + file.role);
   const fs::file_status old = fs::status(path, error);
+  if (old.type() == fs::file_type::none)  // a circle of links, a name that is too long
+    return cannot_write(file, fmt::format("cannot be written: {}", error.message()),
+                        "give another name to " + file.role);
   if (fs::is_directory(old)) return cannot_write(file, "is a directory", "give the name of a file to " + file.role);
   if (fs::exists(old) && ::access(path.c_str(), W_OK) != 0)
     return cannot_write(file, fmt::format("is protected: {}", std::strerror(errno)),
@@ -52,12 +59,6 @@ bool is_replaced(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return !fs::exists(status) || fs::is_regular_file(status);
-}
-
-std::string without_links(const std::string& path) {
-  std::error_code error;
-  const fs::path real = fs::canonical(path, error);
-  return error ? path : real.string();
 }
 
 Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {

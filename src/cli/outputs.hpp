@@ -22,7 +22,4 @@ struct NamedFile {
 /// written in place.
 [[nodiscard]] bool is_replaced(const std::string& path);
 
-/// The file itself where `path` is a symbolic link to one: replacing that keeps the link.
-[[nodiscard]] std::string without_links(const std::string& path);
-
 }  // namespace meshgraft::cli

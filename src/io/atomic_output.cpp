@@ -36,6 +36,15 @@ void sync_directory(const std::string& path) {
 
 }  // namespace
 
+std::string without_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  std::filesystem::path at = path;
+  std::error_code error;
+  for (int k = 0; k < kMostLinks && std::filesystem::is_symlink(at, error); ++k)
+    at = at.parent_path() / std::filesystem::read_symlink(at, error);  // an absolute one replaces it
+  return at.string();
+}
+
 Failure AtomicOutput::failed(const char* what, int reason) const {
   return failure(ErrorCode::kCannotWrite, std::string(what) + ": " + std::generic_category().message(reason),
                  "check the folder, its permissions and the free space", {path_, 0});
@@ -43,13 +52,11 @@ Failure AtomicOutput::failed(const char* what, int reason) const {
 
 Result<AtomicOutput> AtomicOutput::create(const std::string& path) {
   AtomicOutput output;
-  output.path_ = path;
-  std::error_code ignored;
-  const std::filesystem::path real = std::filesystem::canonical(path, ignored);
-  output.target_ = ignored ? path : real.string();
+  output.path_ = path, output.target_ = without_links(path);
 
   struct stat status {};
   const bool exists = ::stat(output.target_.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) return output.failed("cannot write", errno);
   if (exists && S_ISDIR(status.st_mode)) return output.failed("cannot write", EISDIR);
   if (exists && !S_ISREG(status.st_mode)) {
     output.fd_ = ::open(output.target_.c_str(), O_WRONLY | O_CLOEXEC);

@@ -9,6 +9,10 @@
 
 namespace meshgraft {
 
+/// The file that writing to `path` makes or replaces: symbolic links are followed and stay, also
+/// where there is no file at their end yet.
+[[nodiscard]] std::string without_links(const std::string& path);
+
 /// Written beside its final place, then renamed; on any failure nothing is left behind and what was there
 /// before stays. Something that is not a regular file (/dev/null, a pipe) is written directly.
 ///

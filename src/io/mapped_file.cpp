@@ -43,6 +43,10 @@ int read_all(int fd, std::string& text) {
   }
 }
 
+/// A file that was given a length but no content. It reads as that many zeros, which may be more than
+/// there is memory for.
+bool is_hole(int fd) { return ::lseek(fd, 0, SEEK_DATA) < 0 && errno == ENXIO; }
+
 }  // namespace
 
 Result<MappedFile> MappedFile::open(const std::string& path) {
@@ -57,7 +61,7 @@ Result<MappedFile> MappedFile::open(const std::string& path) {
     if (const int reason = read_all(fd.get(), file.read_); reason != 0) return cannot_read(path, reason);
     return file;
   }
-  if (status.st_size == 0) return file;
+  if (status.st_size == 0 || is_hole(fd.get())) return file;
   const auto size = static_cast<std::size_t>(status.st_size);
   void* map = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd.get(), 0);
   if (map == MAP_FAILED) return cannot_read(path, errno);

@@ -8,7 +8,8 @@
 
 namespace meshgraft {
 
-/// Regular files are mapped; anything else that can be read (a pipe) is read into memory.
+/// Regular files are mapped, but for those of nothing but a hole, which are empty; anything else that can be read (a
+/// pipe) is read into memory.
 class MappedFile {
  public:
   /// Error kCannotRead with the reason of the system: missing, a directory, no permission.

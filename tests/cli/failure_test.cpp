@@ -17,6 +17,8 @@ void expect_no_output(const std::vector<std::string>& arguments, int code, const
     const Folder folder;
     folder.put_plates();
     folder.put("empty.unv", std::string());
+    folder.put("hole.unv", std::string());
+    std::filesystem::resize_file(folder / "hole.unv", std::uintmax_t{1} << 32);  // a length without content
     folder.put("prose.unv", "This is not a mesh.\n");
     folder.put("cut.unv", folder.text("base.unv").substr(0, folder.text("base.unv").size() / 2));
     std::filesystem::create_directory(folder.path() / "directory.unv");
@@ -50,6 +52,7 @@ TEST(InputBelowAFile, CannotBeRead) {
 
 TEST(EmptyInput, IsRefused) {
   expect_no_output({"merge", "base.unv", "empty.unv", "-o", "out.unv"}, 3, {"empty.unv", "[empty-file]"});
+  expect_no_output({"merge", "base.unv", "hole.unv", "-o", "out.unv"}, 3, {"hole.unv", "[empty-file]"});
 }
 
 TEST(InputOfAnotherFormat, IsRefused) {

@@ -89,6 +89,19 @@ TEST(Merge, KeepsALinkAsTheNameOfItsOutput) {
   EXPECT_TRUE(folder.text("real.unv").starts_with("    -1\n"));
 }
 
+TEST(Merge, FollowsALinkToAFileThatIsNotThereYet) {
+  const Folder folder;
+  folder.put_plates();
+  std::filesystem::create_symlink("new.unv", folder.path() / "link.unv");
+  ASSERT_EQ(folder.run({"merge", "base.unv", "part.unv", "-o", "link.unv"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.unv"));
+  EXPECT_TRUE(folder.text("new.unv").starts_with("    -1\n"));
+  std::filesystem::create_symlink("other.unv", folder.path() / "name.unv");
+  EXPECT_EQ(folder.run({"merge", "base.unv", "part.unv", "-o", "name.unv", "--report", "other.unv"}).code, 2);
+  std::filesystem::create_symlink("circle.unv", folder.path() / "circle.unv");
+  EXPECT_EQ(folder.run({"merge", "base.unv", "part.unv", "-o", "circle.unv"}).code, 5);
+}
+
 TEST(Merge, TakesPathsWithBlanksAndForeignLetters) {
   const Folder folder;
   folder.put_plates();
