@@ -42,6 +42,12 @@ class LabelIndex {
   std::vector<std::pair<std::int64_t, std::uint32_t>> sorted_;
 };
 
+std::int64_t power_of_ten_above(std::int64_t n) {
+  std::int64_t power = 1;
+  while (power <= n) power *= 10;
+  return power;
+}
+
 /// The labels of one kind of entity, nodes or elements.
 template <class Id>
 class Numbering {
@@ -55,10 +61,11 @@ class Numbering {
     if (!labels.empty()) largest = std::max(largest, std::ranges::max(labels));
     std::int64_t by = 0;
     if (!clashing.empty()) {
-      const std::int64_t least = std::min<std::int64_t>(0, std::ranges::min(labels));
-      for (by = 1; by <= largest - least; by *= 10) {
-      }
-      for (const Id id : clashing) largest = std::max(largest, labels[id.value] + by);
+      const auto [low, high] = std::ranges::minmax(clashing, {}, [&](Id id) { return labels[id.value]; });
+      const std::int64_t least = labels[low.value], most = labels[high.value];
+      by = power_of_ten_above(largest - std::min<std::int64_t>(0, std::ranges::min(labels)));
+      if (most + by > kLargestLabel) by = power_of_ten_above(largest - least);
+      largest = std::max(largest, most + by);
     }
     shift.push_back(by);
     shifted.push_back(clashing);

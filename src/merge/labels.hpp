@@ -11,7 +11,8 @@ namespace meshgraft {
 inline constexpr std::int64_t kLargestLabel = 9'999'999'999;
 
 /// Labels by the rules of struct Labels. The shift of an input is the next power of ten above all
-/// labels used by it and the inputs before; labels that were removed count as used.
+/// labels used by it and the inputs before, or where that does not fit the least power of ten that
+/// clears them; labels that were removed count as used.
 ///
 /// Error kLabelOverflow if a shifted or new label would exceed kLargestLabel.
 /// Cost linear in the number of labels.

@@ -37,6 +37,13 @@ TEST(Labels, WithoutClashNothingMoves) {
   EXPECT_EQ(l.first_new_node, 1'000'000'001);
 }
 
+TEST(Labels, WhereThePowerOfTenAboveAllDoesNotFitTheLeastThatDoesIsTaken) {
+  const std::vector<std::int64_t> huge{9'990'000'001, 9'990'000'516};
+  const Labels l = labels({with_labels(huge), with_labels(huge)});
+  EXPECT_EQ(l.node_shift[1], 1000);
+  EXPECT_EQ(l.first_new_node, 9'990'001'517);
+}
+
 TEST(Labels, APowerOfTenInUseIsNotTheShift) {
   const Labels l = labels({with_labels({1, 100}), with_labels({1})});
   EXPECT_EQ(l.node_shift[1], 1000);
