@@ -55,6 +55,12 @@ void Splice::append_text(TextPieces datasets) {
   if (!datasets.empty()) insert_datasets(nullptr, std::move(datasets));
 }
 
+void Splice::close_last_dataset() {
+  if (base().datasets.empty()) return;
+  const Dataset& last = base().datasets.back();
+  if (!last.closed && !closed_[last.open]) insert_datasets(nullptr, {});
+}
+
 void Splice::insert_datasets(const Dataset* after, TextPieces datasets) {
   const std::size_t end = base().lines.text.size();
   const std::size_t offset = after != nullptr ? after->end : end;

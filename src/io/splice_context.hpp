@@ -51,6 +51,8 @@ class Splice {
   void insert_dataset(const Dataset* after, std::int64_t number, TextPieces records);
   /// Puts whole datasets at the end of the file.
   void append_text(TextPieces datasets);
+  /// What has changes ends with a delimiter, even if the base does not. To be called last.
+  void close_last_dataset();
 
  private:
   void insert_datasets(const Dataset* after, TextPieces datasets);

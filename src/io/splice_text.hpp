@@ -43,6 +43,7 @@ class TextEdits {
   void cut(std::size_t begin, std::size_t end);
   /// [begin, end) is replaced; insertions (begin == end) at one place keep their order.
   void replace(std::size_t begin, std::size_t end, TextPieces text);
+  [[nodiscard]] bool empty() const { return edits_.empty(); }
 
   struct Output {
     std::vector<std::string_view> pieces;

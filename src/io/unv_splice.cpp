@@ -42,6 +42,7 @@ Result<SplicedText> SplicedText::make(const Model& base, std::span<const Model> 
   splice_elements(s);
   splice_groups(s);
   splice_datasets(s);
+  if (!s.edits.empty()) s.close_last_dataset();
   auto output = s.edits.apply(s.base().text());
   spliced.pieces = std::move(output.pieces);
   report.untouched.bytes = output.untouched;

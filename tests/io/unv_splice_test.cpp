@@ -98,6 +98,7 @@ TEST(UnvSplice, NewRecordsGoBeforeAMissingDelimiterAndLineEnd) {
   const auto model = read_unv_text(spliced(base, {}, small_graft(base), report), "out");
   ASSERT_TRUE(model);
   EXPECT_EQ(model->element_label, (Names{1, 2, 5, 6, 7}));
+  EXPECT_TRUE(model->warnings.empty());  // the delimiter is no longer missing
 }
 
 /// A part with labels that clash, its beam oriented by its node 3, a group LEFT and one of its own.
