@@ -70,7 +70,7 @@ std::vector<NodePair> keys(const Complex& complex, std::span<const EdgeUse> edge
 std::vector<std::uint8_t> changed_before(const Outcome& outcome, std::span<const std::uint8_t> changed) {
   std::vector<NodeRef> unchanged;
   for (std::size_t v = 0; v < changed.size(); ++v)
-    if (changed[v] == 0) unchanged.push_back(outcome.final_complex.node[v]);
+    if (changed[v] == 0) unchanged.push_back(outcome.stitched.node[v]);
   std::sort(unchanged.begin(), unchanged.end());
   std::vector<std::uint8_t> marked(outcome.original.n_vertices());
   for (std::size_t v = 0; v < marked.size(); ++v)

@@ -37,6 +37,13 @@ TEST(ResultCheck, NothingIsSaidAgainstAnUntouchedModelOrAFlatSplit) {
   EXPECT_TRUE(findings(split).empty());
 }
 
+TEST(ResultCheck, NodesPutBackWhereTheyWereLeaveTheirFreeEdgesAsTheyWere) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{20}));  // elsewhere
+  for (NodeRef& node : m.final_complex.node) node = {};
+  EXPECT_TRUE(findings(m).empty());
+}
+
 TEST(ResultCheck, AMissingFaceIsACrackAroundIt) {
   HandMade m({plate()});
   m.remove_face(FaceId(std::size_t{14}));
