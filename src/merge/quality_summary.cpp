@@ -44,7 +44,9 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
 
 }  // namespace
 
-bool is_unavoidable(const BadFace& bad) { return bad.cause.kind == Cause::Kind::kInputAngle; }
+bool is_unavoidable(const BadFace& bad) {
+  return bad.cause.kind == Cause::Kind::kInputAngle || bad.cause.kind == Cause::Kind::kInputDetail;
+}
 
 QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, double min_quality) {
   const Complex& complex = outcome.final_complex;

@@ -2,10 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "geometry/quality.hpp"
 #include "remesh/result.hpp"
+#include "zone/size_field.hpp"
 
 namespace meshgraft {
 namespace {
@@ -17,6 +21,49 @@ constexpr double kTooNear = 0.5;    // share of the wanted length below which fi
 double angle_deg(Vec3 at, Vec3 a, Vec3 b) {
   const Vec3 u = a - at, v = b - at;
   return std::atan2(norm(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi;
+}
+
+/// Angle between the curves of a corner that both bound the face, each by a vertex of it: the least of all
+/// such corners. Faces in a narrow corner need not reach its tip.
+std::optional<double> least_corner_deg(const Editor& editor, const LocalFace& face) {
+  const LocalMesh& mesh = editor.mesh();
+  std::optional<double> least;
+  const auto ends = [&](CurveId c) {
+    const auto& chain = editor.reference().curve(c).chain;
+    return std::array{chain.front(), chain.back()};
+  };
+  for (const VertexId u : face.v)
+    for (const VertexId w : face.v) {
+      const CurveId c = mesh.vertex(u).curve, d = mesh.vertex(w).curve;
+      if (!c.valid() || !d.valid() || c >= d) continue;
+      for (const VertexId tip : ends(c))
+        if ((tip == ends(d)[0] || tip == ends(d)[1])) {
+          const double angle = angle_deg(mesh.position(tip), mesh.position(u), mesh.position(w));
+          least = std::min(angle, least.value_or(angle));
+        }
+    }
+  return least;
+}
+
+/// Shortest edge between fixed vertices on the faces around: the sizes grow from there.
+std::optional<double> least_fixed_gap(const LocalMesh& mesh, const std::array<VertexId, 3>& around) {
+  std::optional<double> least;
+  for (const VertexId v : around)
+    for (const FaceId f : mesh.star(v)) {
+      const auto& corner = mesh.face(f).v;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = corner[k], b = corner[(k + 1) % 3];
+        if (!mesh.vertex(a).fixed || !mesh.vertex(b).fixed) continue;
+        const double d = distance(mesh.position(a), mesh.position(b));
+        least = std::min(d, least.value_or(d));
+      }
+    }
+  return least;
+}
+
+double input_edge_length(const Editor& editor, FaceId f) {
+  const Foot foot = editor.reference().project(editor.mesh().face(f).sheet, centroid(editor.mesh().corners(f)), {});
+  return editor.reference().edge_length(foot.face);
 }
 
 }  // namespace
@@ -32,6 +79,11 @@ Cause cause_of(Editor& editor, FaceId f) {
     if (angle < kSharpInput || angle > kWideInput)
       return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", angle)};
   }
+  if (const auto angle = least_corner_deg(editor, face); angle && *angle < kSharpInput)
+    return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", *angle)};
+  const double fine = SizeOptions{}.gap_floor * input_edge_length(editor, f);
+  if (const auto gap = least_fixed_gap(mesh, face.v); gap && *gap < fine)
+    return {Kind::kInputDetail, fmt::format("fixed nodes only {:.3g} apart", *gap)};
   const auto fixed = [&](std::size_t k) { return mesh.vertex(face.v[k]).fixed; };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;

@@ -21,11 +21,12 @@ struct RemeshOptions {
 /// Why a face is poor, as far as the input is to blame.
 struct Cause {
   enum class Kind : std::uint8_t {
-    kNone,        // none was found
-    kInputAngle,  // two curves of the input make the angle of the face: no mesh is better there
-    kFixedNodes,  // nodes that must stay are too near to each other
-    kZoneEnd,     // nodes on the boundary of the zone hold it
-    kStrip,       // it lies between two curves
+    kNone,         // none was found
+    kInputAngle,   // two curves of the input make the angle of the face: no mesh is better there
+    kInputDetail,  // nodes that must stay are nearer to each other than the sizes are refined for
+    kFixedNodes,   // nodes that must stay are too near to each other
+    kZoneEnd,      // nodes on the boundary of the zone hold it
+    kStrip,        // it lies between two curves
   };
   Kind kind = Kind::kNone;
   std::string text;  // "input angle of 9 degrees", ...; empty for kNone

@@ -166,7 +166,27 @@ TEST(Remesh, SharpInputAngleIsReportedWithItsCause) {
   EXPECT_EQ(broken_laws(t), std::vector<std::string>{});
   ASSERT_FALSE(t.result.bad.empty());
   EXPECT_EQ(t.result.bad.front().cause.kind, Cause::Kind::kInputAngle);
-  EXPECT_EQ(t.result.bad.front().cause.text.substr(0, 14), "input angle of");
+  // Those behind the tip suffer from it as well.
+  for (const BadFace& bad : t.result.bad) EXPECT_EQ(bad.cause.text.substr(0, 14), "input angle of") << bad.cause.text;
+}
+
+TEST(Remesh, DetailsFinerThanTheSizesGoAreNamed) {
+  // Three cuts that nearly meet in one point.
+  Scene scene;
+  cut::add(scene, scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "BASE", 0.15), 0);
+  scene.original = scene.complex;
+  cut::split(scene, 0, [](Vec3 p) { return p.y - 0.97; });
+  cut::split(scene, 0, [](Vec3 p) { return p.y - 0.97 - 1.7 * (p.x - 1.03); });
+  cut::split(scene, 0, [](Vec3 p) { return p.y - 0.97 + 1.7 * (p.x - 1.0303); });
+  const Trial t = trial(std::move(scene), 3);
+  EXPECT_EQ(broken_laws(t), std::vector<std::string>{});
+  using Kind = Cause::Kind;
+  bool found = false;
+  for (const BadFace& bad : t.result.bad) {
+    found = found || bad.cause.kind == Kind::kInputDetail;
+    EXPECT_TRUE(bad.cause.kind == Kind::kInputDetail || bad.cause.kind == Kind::kInputAngle) << bad.cause.text;
+  }
+  EXPECT_TRUE(found);
 }
 
 }  // namespace
