@@ -29,6 +29,14 @@ double worst_mendable(const Remeshed& remeshed) {
   return worst;
 }
 
+/// How much Q all of them lack together.
+double shortfall(const Remeshed& remeshed, double min_quality) {
+  double sum = 0;
+  for (const BadFace& bad : remeshed.bad)
+    if (!is_unavoidable(bad)) sum += min_quality - bad.q;
+  return sum;
+}
+
 double mean_quality(const Remeshed& remeshed) {
   double sum = 0, count = 0;
   for (std::size_t f = 0; f < remeshed.in_zone.size(); ++f)
@@ -111,7 +119,8 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     if (!widen(zone, corefined, places, limits.max_neighbourhoods)) break;
     Attempt wider = attempt(zone);
     places = mendable_places(wider.remeshed);
-    if (worst_mendable(wider.remeshed) > worst_mendable(best.remeshed)) best = std::move(wider), ++widened;
+    if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))
+      best = std::move(wider), ++widened;
   }
   return {std::move(best.remeshed), best.zone.bandwidth, widened};
 }
