@@ -5,10 +5,14 @@
 namespace meshgraft {
 
 double aspect_ratio(const Triangle& t) {
-  const double a = distance(t[0], t[1]), b = distance(t[1], t[2]), c = distance(t[2], t[0]);
+  return aspect_ratio(area(t), {distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+}
+
+double aspect_ratio(double area, const std::array<double, 3>& edges) {
+  const auto [a, b, c] = edges;
   const double longest = std::max({a, b, c});
   const double half_perimeter = 0.5 * (a + b + c);
-  return longest > 0 ? 2 * std::numbers::sqrt3 * area(t) / (longest * half_perimeter) : 0;
+  return longest > 0 ? 2 * std::numbers::sqrt3 * area / (longest * half_perimeter) : 0;
 }
 
 double signed_aspect_ratio(const Triangle& t, Vec3 normal) {

@@ -21,6 +21,8 @@ inline double mean_edge_length(const Triangle& t) {
 /// Aspect ratio Q = 2 sqrt(3) S / (h p) of the paper (5.5, eq. 1): S area, h longest edge, p half
 /// perimeter. 1 equilateral, 0 flat (also for three equal points).
 double aspect_ratio(const Triangle& t);
+/// The same from the area and the lengths of the edges.
+double aspect_ratio(double area, const std::array<double, 3>& edges);
 
 /// The same, negative when the triangle faces away from `normal`.
 double signed_aspect_ratio(const Triangle& t, Vec3 normal);

@@ -1,6 +1,7 @@
 #include "remesh/editor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/quality.hpp"
@@ -8,8 +9,6 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kFlatCost = 0.02;    // Q at which the cost of flatness levels off
-constexpr double kSizeWeight = 0.1;   // of the squared logarithm of the relative size in the cost
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
 constexpr double kTurned = 10;        // deviation of a face that leans more; farther than any leeway
 constexpr int kEdgeSamples = 3;       // inside an edge, where its distance from the reference is taken
@@ -52,11 +51,14 @@ double Editor::size(VertexId v) {
   return size;
 }
 
-double Editor::face_cost(double q, double mean_edge, double wanted) const {
-  if (q <= kFlat) return std::numeric_limits<double>::infinity();
-  const double flatness = (1 - q) / (q + kFlatCost);
-  const double misfit = std::log(mean_edge / wanted);
-  return flatness * flatness + kSizeWeight * misfit * misfit;
+double Editor::cost(const LocalFace& f) {
+  const Triangle t{mesh_.position(f.v[0]), mesh_.position(f.v[1]), mesh_.position(f.v[2])};
+  const std::array<double, 3> edges{distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])};
+  const Vec3 vector = area_vector(t);
+  const Sheet& sheet = mesh_.sheet(f.sheet);
+  const bool backwards = sheet.planar && dot(vector, sheet.normal) < 0;
+  const double q = backwards ? 0 : aspect_ratio(norm(vector), edges);
+  return face_cost(q, (edges[0] + edges[1] + edges[2]) / 3, (size(f.v[0]) + size(f.v[1]) + size(f.v[2])) / 3);
 }
 
 double Editor::cost(FaceId f) {
@@ -69,24 +71,6 @@ double Editor::cost(std::span<const FaceId> faces) {
   double sum = 0;
   for (const FaceId f : faces) sum += cost(f);
   return sum;
-}
-
-double Editor::cost_with(VertexId v, Vec3 p) {
-  double sum = 0;
-  for (const FaceId f : mesh_.star(v)) {
-    const LocalFace& face = mesh_.face(f);
-    const std::size_t k = face.corner_of(v);
-    const VertexId a = face.v[(k + 1) % 3], b = face.v[(k + 2) % 3];
-    const Triangle t{p, mesh_.position(a), mesh_.position(b)};
-    sum += face_cost(mesh_.quality(face, v, p), mean_edge_length(t), (size(v) + size(a) + size(b)) / 3);
-  }
-  return sum;
-}
-
-double Editor::flatness_with(VertexId v, Vec3 p) {
-  double worst = 1;
-  for (const FaceId f : mesh_.star(v)) worst = std::min(worst, mesh_.quality(mesh_.face(f), v, p));
-  return worst <= kFlat ? std::numeric_limits<double>::infinity() : 1 - worst;
 }
 
 bool Editor::faces_right(const LocalFace& f) const { return mesh_.quality(f) > kFlat; }
@@ -166,15 +150,11 @@ bool Editor::flip_gains(VertexId a, VertexId b) {
   if (left.curve[edge].valid()) return false;
   const VertexId u = left.v[edge], v = left.v[(edge + 1) % 3], c = left.v[(edge + 2) % 3];
   const VertexId d = right.v[(right.corner_of(v) + 2) % 3];
-  const auto cost_of = [&](VertexId x, VertexId y, VertexId z) {
-    LocalFace f = left;
-    f.v = {x, y, z};
-    return face_cost(mesh_.quality(f), (length(x, y) + length(y, z) + length(z, x)) / 3,
-                     (size(x) + size(y) + size(z)) / 3);
-  };
+  LocalFace first = left, second = left;
+  first.v = {c, u, d}, second.v = {d, v, c};
   constexpr double kLeastGain = 1e-3;  // of the cost; keeps equal diagonals from swapping for ever
   const double before = cost(faces);
-  return cost_of(c, u, d) + cost_of(d, v, c) < before * (1 - kLeastGain);
+  return cost(first) + cost(second) < before * (1 - kLeastGain);
 }
 
 std::optional<Editor::Reach> Editor::reach(VertexId v) const {

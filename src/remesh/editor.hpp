@@ -7,11 +7,10 @@
 #include "remesh/reference.hpp"
 #include "remesh/remesh.hpp"
 #include "remesh/sizing.hpp"
+#include "remesh/star.hpp"
 
 namespace meshgraft {
 
-/// A new face must have a larger Q: the sign of its area is then beyond doubt.
-inline constexpr double kFlat = 1e-7;
 /// By how much the chord between two nodes of a curve may exceed the sagitta of the ruler, so that
 /// nodes can slide a little.
 inline constexpr double kSagittaSlack = 1.15;
@@ -32,8 +31,7 @@ class Editor {
   double size(VertexId a, VertexId b) { return 0.5 * (size(a) + size(b)); }
   [[nodiscard]] double length(VertexId a, VertexId b) const { return distance(mesh_.position(a), mesh_.position(b)); }
 
-  /// What a face costs: little if it is equilateral and of the wanted size, very much if flat. The
-  /// remesher lowers the sum of this.
+  /// What a face costs, at most as much as a flat one. The remesher lowers the sum of this.
   double cost(FaceId f);
   double cost(std::span<const FaceId> faces);
 
@@ -76,10 +74,10 @@ class Editor {
   [[nodiscard]] std::optional<Reach> reach(VertexId v) const;
 
  private:
-  using Goal = double (Editor::*)(VertexId, Vec3);
-  double cost_with(VertexId v, Vec3 p);
-  double flatness_with(VertexId v, Vec3 p);
-  double face_cost(double q, double mean_edge, double wanted) const;
+  using Goal = double (Star::*)(Vec3 p, double enough) const;
+  double cost(const LocalFace& f);
+  /// star_ becomes that of v.
+  void gather(VertexId v);
   bool search(VertexId v, Goal goal);
   bool search_in_sheet(VertexId v, Goal goal);
   bool search_on_curve(VertexId v, Goal goal);
@@ -94,7 +92,6 @@ class Editor {
   [[nodiscard]] double deviation(const LocalFace& f) const;
   /// Of faces that replace the given ones.
   double allowed_deviation(std::span<const FaceId> replaced);
-  [[nodiscard]] Vec3 centre_of_link(VertexId v) const;
 
   const Brep& brep_;
   Reference reference_;
@@ -102,6 +99,7 @@ class Editor {
   Sizing sizing_;
   RemeshOptions options_;
   double leeway_ = 1;
+  Star star_;  // of the vertex that is being moved
 };
 
 }  // namespace meshgraft

@@ -1,6 +1,7 @@
 // Moves of a vertex: a search without derivatives for the place where its faces are best.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/quality.hpp"
 #include "remesh/editor.hpp"
@@ -15,34 +16,36 @@ constexpr int kMostTrials = 16;          // places looked at in one search
 constexpr double kLeastGain = 1e-2;      // share by which a move must lower its goal
 constexpr double kSameSize = 0.2;        // of the size: a vertex moved less is still wanted the same size
 constexpr double kClosestOnCurve = 0.2;  // to a neighbour, share of the room between both
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 bool Editor::relax(VertexId v) {
   if (!mesh_.stirred(v)) return false;
-  const bool moved = search(v, &Editor::cost_with);
+  const bool moved = search(v, &Star::cost);
   if (!moved) mesh_.calm(v);
   return moved;
 }
-bool Editor::sharpen(VertexId v) { return search(v, &Editor::flatness_with); }
+bool Editor::sharpen(VertexId v) { return search(v, &Star::flatness); }
+
+void Editor::gather(VertexId v) {
+  star_.faces.clear();
+  for (const FaceId f : mesh_.star(v)) {
+    const LocalFace& face = mesh_.face(f);
+    const std::size_t k = face.corner_of(v);
+    const VertexId a = face.v[(k + 1) % 3], b = face.v[(k + 2) % 3];
+    const Sheet& sheet = mesh_.sheet(face.sheet);
+    star_.faces.push_back({mesh_.position(a), mesh_.position(b),
+                           sheet.planar ? sheet.normal : area_vector(mesh_.corners(f)), length(a, b),
+                           (size(v) + size(a) + size(b)) / 3});
+  }
+}
 
 bool Editor::search(VertexId v, Goal goal) {
   const LocalVertex& vertex = mesh_.vertex(v);
   if (vertex.fixed || mesh_.star(v).empty()) return false;
+  gather(v);
   return vertex.curve.valid() ? search_on_curve(v, goal) : search_in_sheet(v, goal);
-}
-
-/// Mean of the neighbours.
-Vec3 Editor::centre_of_link(VertexId v) const {
-  Vec3 sum;
-  double n = 0;
-  for (const FaceId f : mesh_.star(v)) {
-    const LocalFace& face = mesh_.face(f);
-    const std::size_t k = face.corner_of(v);
-    sum += mesh_.position(face.v[(k + 1) % 3]) + mesh_.position(face.v[(k + 2) % 3]);
-    n += 2;
-  }
-  return sum / n;
 }
 
 bool Editor::search_in_sheet(VertexId v, Goal goal) {
@@ -52,7 +55,7 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
   const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 e = normalized(cross(normal, helper)), f = cross(normal, e);
   const double wanted = size(v);
-  const double before = (this->*goal)(v, to.position);
+  const double before = (star_.*goal)(to.position, kInfinite);
   double best = before;
   int n_trials = 0;
   const auto attempt = [&](Vec3 p) {
@@ -63,12 +66,14 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
     } else {
       foot = reference_.project(to.sheet, p, to.beneath);
     }
-    const double value = (this->*goal)(v, foot.point);
+    const double value = (star_.*goal)(foot.point, best);
     if (!(value < best)) return false;
     best = value, to.position = foot.point, to.beneath = foot.face;
     return true;
   };
-  attempt(centre_of_link(v));
+  Vec3 sum;
+  for (const Star::Face& face : star_.faces) sum += face.a + face.b;
+  attempt(sum / (2 * static_cast<double>(star_.faces.size())));  // the mean of the neighbours
   constexpr double kDiagonal = 0.70710678118654752;
   bool turned = false;  // every other round looks along the diagonals
   for (double step = kFirstStep * wanted; step > kLastStep * wanted && n_trials < kMostTrials; turned = !turned) {
@@ -77,8 +82,7 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
     for (const Vec3 d : {a, b, -a, -b}) better = attempt(to.position + d) || better;
     if (!better) step *= 0.5;
   }
-  if (!(best < before * (1 - kLeastGain)) && !(before == std::numeric_limits<double>::infinity() && best < before))
-    return false;
+  if (!(best < before * (1 - kLeastGain)) && !(before == kInfinite && best < before)) return false;
   return place(v, to);
 }
 
@@ -88,14 +92,14 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
   LocalVertex to = mesh_.vertex(v);
   const double margin = kClosestOnCurve * (span->to - span->from);
   const double low = span->from + margin, high = span->to - margin;
-  const double wanted = size(v), before = (this->*goal)(v, to.position), start = to.arc;
+  const double wanted = size(v), before = (star_.*goal)(to.position, kInfinite), start = to.arc;
   double best = before, arc = start;
   for (double step = kFirstStep * wanted; step > kLastStep * wanted;) {
     bool better = false;
     for (const double d : {step, -step}) {
       const double trial = arc + d;
       if (trial < low || trial > high) continue;
-      const double value = (this->*goal)(v, reference_.point(to.curve, trial));
+      const double value = (star_.*goal)(reference_.point(to.curve, trial), best);
       if (value < best) best = value, arc = trial, better = true;
     }
     if (!better) step *= 0.5;

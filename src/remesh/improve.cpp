@@ -75,7 +75,7 @@ void flip_all(Editor& editor) {
       const LocalFace& face = editor.mesh().face(FaceId(k));
       if (!face.alive || !face.in_zone || is_settled(editor, FaceId(k))) break;
       const VertexId a = face.v[i], b = face.v[(i + 1) % 3];
-      if (!face.curve[i].valid() && editor.flip_gains(a, b) && editor.flip(a, b)) break;
+      if (a < b && !face.curve[i].valid() && editor.flip_gains(a, b) && editor.flip(a, b)) break;
     }
 }
 
