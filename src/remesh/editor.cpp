@@ -111,7 +111,7 @@ double Editor::allowed_deviation(std::span<const FaceId> replaced) {
 }
 
 bool Editor::flip(VertexId a, VertexId b) {
-  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  const FacesOfEdge faces = mesh_.faces_at(a, b);
   if (faces.size() != 2) return false;
   LocalFace left = mesh_.face(faces[0]), right = mesh_.face(faces[1]);
   if (!left.in_zone || !right.in_zone || left.sheet != right.sheet) return false;
@@ -140,7 +140,7 @@ bool Editor::flip(VertexId a, VertexId b) {
 }
 
 bool Editor::flip_gains(VertexId a, VertexId b) {
-  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  const FacesOfEdge faces = mesh_.faces_at(a, b);
   if (faces.size() != 2) return false;
   const LocalFace &left = mesh_.face(faces[0]), &right = mesh_.face(faces[1]);
   if (!left.in_zone || !right.in_zone || left.sheet != right.sheet) return false;
@@ -199,7 +199,7 @@ void Editor::split_faces(VertexId a, VertexId b, VertexId middle, std::span<cons
 }
 
 std::optional<VertexId> Editor::split_curve(VertexId a, VertexId b, CurveId curve, double arc) {
-  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  const FacesOfEdge faces = mesh_.faces_at(a, b);
   if (!splittable(faces)) return std::nullopt;
   LocalVertex v;
   v.position = reference_.point(curve, arc);
@@ -210,7 +210,7 @@ std::optional<VertexId> Editor::split_curve(VertexId a, VertexId b, CurveId curv
 }
 
 std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
-  const std::vector<FaceId> faces = mesh_.faces_at(a, b);
+  const FacesOfEdge faces = mesh_.faces_at(a, b);
   if (!splittable(faces)) return std::nullopt;
   const double allowed = allowed_deviation(faces);
   const Mark start = mark();

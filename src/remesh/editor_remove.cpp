@@ -16,7 +16,7 @@ constexpr double kLeastCosine = 0.5;  // curved sheets: between a new face and t
 bool Editor::remove(VertexId v) {
   const LocalVertex vertex = mesh_.vertex(v);
   if (vertex.fixed || mesh_.star(v).empty()) return false;
-  const std::vector<Fan> fans = mesh_.fans(v);
+  const auto fans = mesh_.fans(v);
   if (fans.empty()) return false;
   CurveId closing;
   if (vertex.curve.valid()) {
@@ -55,7 +55,7 @@ bool Editor::may_join_along_curve(VertexId v, const Reach& span, std::span<const
 bool Editor::close_gap(const Fan& fan, CurveId closing) {
   const VertexId a = fan.link[0], b = fan.link[1];
   mesh_.remove_face(fan.faces[0]);
-  const std::vector<FaceId> beyond = mesh_.faces_at(a, b);
+  const FacesOfEdge beyond = mesh_.faces_at(a, b);
   for (const FaceId f : beyond) {
     LocalFace face = mesh_.face(f);
     if (face.sheet != fan.sheet) continue;  // filled a moment ago on another side of the curve
@@ -96,7 +96,7 @@ bool Editor::fill(VertexId v, const Fan& fan, CurveId closing) {
   if (!filling) return false;
 
   const double allowed = allowed_deviation(fan.faces);
-  std::vector<CurveId> side(n, closing);  // curve of the edge from link i to link i + 1
+  Few<CurveId, 8> side(n, closing);  // curve of the edge from link i to link i + 1
   for (std::size_t i = 0; i < fan.faces.size(); ++i) {
     const LocalFace& face = mesh_.face(fan.faces[i]);
     side[i] = face.curve[(face.corner_of(v) + 1) % 3];

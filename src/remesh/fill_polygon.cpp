@@ -2,14 +2,20 @@
 
 #include <algorithm>
 
+#include "remesh/few.hpp"
+
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kUsualFaces = 6, kUsualParts = 64;  // of the polygons around a vertex
+
+using Scores = Few<double, kUsualFaces>;
 
 /// The best filling of the part of the polygon from corner i to corner j.
 struct Part {
   bool possible = false;
-  std::uint32_t apex = 0;      // of the face on edge i j
-  std::vector<double> scores;  // ascending
+  std::uint32_t apex = 0;  // of the face on edge i j
+  Scores scores;           // ascending
 };
 
 /// Runs over the polygon from its smallest id, so that equal choices do not depend on its rotation.
@@ -29,7 +35,7 @@ class Filling {
     const Part& all = part(0, n_ - 1);
     if (!all.possible) return std::nullopt;
     PolygonFill result;
-    result.scores = all.scores;
+    result.scores.assign(all.scores.begin(), all.scores.end());
     collect(0, n_ - 1, result);
     return result;
   }
@@ -62,7 +68,7 @@ class Filling {
   }
 
   /// trial_ = all scores of both sides and q, ascending.
-  void merge(const std::vector<double>& left, const std::vector<double>& right, double q) {
+  void merge(const Scores& left, const Scores& right, double q) {
     trial_.resize(left.size() + right.size());
     std::ranges::merge(left, right, trial_.begin());
     trial_.insert(std::ranges::upper_bound(trial_, q), q);
@@ -79,8 +85,8 @@ class Filling {
   std::uint32_t n_, first_;
   std::span<const VertexId> polygon_;
   const FillRules& rules_;
-  std::vector<Part> part_;
-  std::vector<double> trial_;
+  Few<Part, kUsualParts> part_;
+  Scores trial_;
 };
 
 }  // namespace

@@ -167,11 +167,11 @@ class Front {
 
   /// Flips the edge, and those around it, until each is locally Delaunay.
   void legalise(VertexId a, VertexId b) {
-    std::vector<std::array<VertexId, 2>> todo{{a, b}};
+    Few<std::array<VertexId, 2>, 16> todo{{a, b}};
     while (!todo.empty()) {
       const auto [u, v] = todo.back();
       todo.pop_back();
-      const std::vector<FaceId> faces = mesh().faces_at(u, v);
+      const FacesOfEdge faces = mesh().faces_at(u, v);
       if (faces.size() != 2) continue;
       const auto opposite = [&](FaceId f) {
         for (const VertexId w : mesh().face(f).v)

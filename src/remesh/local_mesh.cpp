@@ -40,8 +40,8 @@ bool LocalMesh::has_edge(VertexId a, VertexId b) const {
   return std::ranges::any_of(star_[a.value], [&](FaceId f) { return faces_[f.value].has(b); });
 }
 
-std::vector<FaceId> LocalMesh::faces_at(VertexId a, VertexId b) const {
-  std::vector<FaceId> found;
+FacesOfEdge LocalMesh::faces_at(VertexId a, VertexId b) const {
+  FacesOfEdge found;
   for (const FaceId f : star_[a.value])
     if (faces_[f.value].has(b)) found.push_back(f);
   return found;
@@ -81,7 +81,7 @@ std::vector<Fan> LocalMesh::fans(VertexId v) const {
     bool curve_before, curve_after;  // edges v from, to v
     bool used = false;
   };
-  std::vector<Spoke> spokes;
+  Few<Spoke, 8> spokes;
   for (const FaceId f : star_[v.value]) {
     const LocalFace& face = faces_[f.value];
     if (!face.in_zone) return {};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "remesh/few.hpp"
 #include "zone/brep.hpp"
 
 namespace meshgraft {
@@ -42,6 +43,8 @@ struct LocalFace {
   [[nodiscard]] bool has(VertexId u) const { return v[0] == u || v[1] == u || v[2] == u; }
 };
 
+using FacesOfEdge = Few<FaceId, 4>;
+
 /// The faces of one sheet around a vertex v, from curve to curve or all around: face i is
 /// v, link[i], link[i+1] (cyclic if closed).
 struct Fan {
@@ -72,7 +75,7 @@ class LocalMesh {
 
   [[nodiscard]] bool has_edge(VertexId a, VertexId b) const;
   /// Faces on the edge a b.
-  [[nodiscard]] std::vector<FaceId> faces_at(VertexId a, VertexId b) const;
+  [[nodiscard]] FacesOfEdge faces_at(VertexId a, VertexId b) const;
   /// The curve that the edge a b lies on, or none.
   [[nodiscard]] CurveId curve_at(VertexId a, VertexId b) const;
   /// The two neighbours of a curve vertex along its curve; invalid where there are not exactly two.
@@ -123,7 +126,7 @@ class LocalMesh {
   const Brep& brep_;
   std::vector<LocalVertex> vertices_;
   std::vector<LocalFace> faces_;
-  std::vector<std::vector<FaceId>> star_;
+  std::vector<Few<FaceId, 8>> star_;
   std::vector<std::uint8_t> stirred_;  // by vertex
   std::size_t n_original_vertices_ = 0, n_original_faces_ = 0;
   std::vector<Change> history_;
