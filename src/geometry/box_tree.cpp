@@ -1,7 +1,6 @@
 #include "geometry/box_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace meshgraft {
 namespace {
@@ -12,41 +11,43 @@ constexpr std::uint32_t kLeafSize = 4;  // boxes tested one by one; 2 to 8 measu
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
   if (boxes.empty()) return;
-  order_.resize(boxes.size());
-  std::iota(order_.begin(), order_.end(), 0u);
+  std::vector<Item> items(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    items[i] = {boxes[i].low + boxes[i].high, static_cast<std::uint32_t>(i)};
   nodes_.reserve(boxes.size());
   nodes_.emplace_back();
-  build(0, 0, static_cast<std::uint32_t>(boxes.size()), boxes);
-  boxes_.reserve(boxes.size());
-  for (const std::uint32_t i : order_) boxes_.push_back(boxes[i]);
+  split(0, 0, items);
+  order_.reserve(boxes.size()), boxes_.reserve(boxes.size());
+  for (const Item& item : items) order_.push_back(item.index), boxes_.push_back(boxes[item.index]);
+  for (std::size_t n = nodes_.size(); n-- > 0;) {  // children come after their parents
+    TreeNode& node = nodes_[n];
+    for (std::uint32_t k = 0; k < node.count; ++k) node.box.add(boxes_[node.first + k]);
+    if (node.count == 0) node.box.add(nodes_[node.first].box), node.box.add(nodes_[node.first + 1].box);
+  }
 }
 
-void BoxTree::build(std::uint32_t node, std::uint32_t first, std::uint32_t last, std::span<const Box> boxes) {
-  Box box, centres;
-  for (std::uint32_t k = first; k < last; ++k) {
-    box.add(boxes[order_[k]]);
-    centres.add(midpoint(boxes[order_[k]].low, boxes[order_[k]].high));
-  }
-  nodes_[node].box = box;
-  if (last - first <= kLeafSize) {
-    nodes_[node].first = first, nodes_[node].count = last - first;
+/// `items` become those of the node, of which `first` is the position in order_.
+void BoxTree::split(std::uint32_t node, std::uint32_t first, std::span<Item> items) {
+  if (items.size() <= kLeafSize) {
+    nodes_[node].first = first, nodes_[node].count = static_cast<std::uint32_t>(items.size());
     return;
   }
+  Box centres;
+  for (const Item& item : items) centres.add(item.twice_centre);
   const Vec3 extent = centres.high - centres.low;
   const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const std::uint32_t middle = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double ca = boxes[a].low[axis] + boxes[a].high[axis];
-                     const double cb = boxes[b].low[axis] + boxes[b].high[axis];
-                     return ca < cb || (ca == cb && a < b);
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [axis](const Item& a, const Item& b) {
+                     const double ca = a.twice_centre[axis], cb = b.twice_centre[axis];
+                     return ca < cb || (ca == cb && a.index < b.index);
                    });
   const auto child = static_cast<std::uint32_t>(nodes_.size());
   nodes_[node].first = child;
   nodes_.emplace_back();
   nodes_.emplace_back();
-  build(child, first, middle, boxes);
-  build(child + 1, middle, last, boxes);
+  split(child, first, items.first(half));
+  split(child + 1, first + static_cast<std::uint32_t>(half), items.subspan(half));
 }
 
 }  // namespace meshgraft

@@ -48,7 +48,12 @@ class BoxTree {
     std::uint32_t count = 0;  // 0 = inner
   };
 
-  void build(std::uint32_t node, std::uint32_t first, std::uint32_t last, std::span<const Box> boxes);
+  /// A box while the tree is built: what decides where it goes.
+  struct Item {
+    Vec3 twice_centre;
+    std::uint32_t index = 0;
+  };
+  void split(std::uint32_t node, std::uint32_t first, std::span<Item> items);
 
   template <class F>
   void visit(std::uint32_t n, const Box& box, F& f) const {
