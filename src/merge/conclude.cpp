@@ -1,5 +1,7 @@
 #include "merge/conclude.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include "merge/faults.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/labels.hpp"
@@ -23,12 +25,18 @@ void append(std::vector<T>& to, std::vector<T> from) {
 void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
            Report& report) {
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
-  append(report.broken_promises, check_result(outcome, translated, options.tolerance));
-  QualityVerdict quality = quality_of(outcome, remeshed.bad, options.min_quality);
+  std::vector<Error> findings;
+  QualityVerdict quality;
+  FidelityVerdict fidelity;
+  tbb::parallel_invoke([&] { findings = check_result(outcome, translated, options.tolerance); },
+                       [&] {
+                         quality = quality_of(outcome, remeshed.bad, options.min_quality);
+                         fidelity = fidelity_of(outcome, options.tolerance);
+                       });
+  append(report.broken_promises, std::move(findings));
   report.quality = std::move(quality.summary);
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));
-  FidelityVerdict fidelity = fidelity_of(outcome, options.tolerance);
   report.fidelity = fidelity.figures;
   append(report.broken_promises, std::move(fidelity.broken));
 }

@@ -1,5 +1,7 @@
 #include "zone/own_size.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cassert>
 #include <limits>
@@ -49,8 +51,12 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
   const OriginalFaces originals(original);
   std::vector<double> sum(original.n_vertices(), 0);
   std::vector<std::uint32_t> count(original.n_vertices(), 0);
-  std::vector<OwnSize> result;
-  result.reserve(brep.sheets.size());
+  struct Samples {
+    std::vector<Triangle> triangles;
+    std::vector<std::array<double, 3>> values;
+  };
+  std::vector<Samples> samples;  // by sheet
+  samples.reserve(brep.sheets.size());
   for (const Sheet& sheet : brep.sheets) {
     std::vector<FaceId> faces;
     for (const FaceId f : sheet.faces)
@@ -62,8 +68,8 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
         sum[v.value] += mean_edge_length(original.corners(f));
         ++count[v.value];
       }
-    std::vector<Triangle> triangles;
-    std::vector<std::array<double, 3>> values;
+    auto& [triangles, values] = samples.emplace_back();
+    triangles.reserve(faces.size()), values.reserve(faces.size());
     for (const FaceId f : faces) {
       triangles.push_back(original.corners(f));
       auto& value = values.emplace_back();
@@ -74,8 +80,11 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
     }
     for (const FaceId f : faces)
       for (const VertexId v : original.face[f.value]) sum[v.value] = 0, count[v.value] = 0;
-    result.emplace_back(std::move(triangles), std::move(values));
   }
+  std::vector<OwnSize> result(samples.size());
+  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t s) {
+    result[s] = OwnSize(std::move(samples[s].triangles), std::move(samples[s].values));
+  });
   return result;
 }
 

@@ -15,6 +15,7 @@ namespace meshgraft {
 /// constant along the normal: the value at p is that at the nearest point of the faces.
 class OwnSize {
  public:
+  OwnSize() = default;
   /// Values at the corners of each triangle.
   OwnSize(std::vector<Triangle> triangles, std::vector<std::array<double, 3>> values);
   [[nodiscard]] double at(Vec3 p) const;
