@@ -52,7 +52,7 @@ struct Graft {
     NodeRef node;
     Vec3 to;
   };
-  std::vector<MovedNode> moved_nodes;  // keep their labels; never of the base
+  std::vector<MovedNode> moved_nodes;  // keep their labels; of the base only where it is joined with itself
 
   struct ReplacedNode {
     NodeRef node;  // in removed_nodes too

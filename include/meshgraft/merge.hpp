@@ -17,7 +17,8 @@ struct Merged {
   Report report;  // check report.broken_promises before the result is used
 };
 
-/// Grafts `parts` onto `base` (paper, section 4: detect and intersect, clean, remesh).
+/// Grafts `parts` onto `base` (paper, section 4: detect and intersect, clean, remesh). Without parts
+/// the connected meshes of `base` are joined with each other; see also MergeOptions::joins.
 ///
 ///  (1) The inputs are only read. Nothing outside the zone is named in the graft.
 ///  (2) New faces have Q >= options.min_quality, or the report says where not, and why.

@@ -4,7 +4,9 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace meshgraft {
 
@@ -17,6 +19,11 @@ struct Tolerance {
   bool relative = true;
   /// The length meant where the mean edge length is `local_edge_length`.
   [[nodiscard]] double at(double local_edge_length) const { return relative ? value * local_edge_length : value; }
+};
+
+/// Two element groups whose faces are joined where they meet.
+struct JoinedGroups {
+  std::string a, b;
 };
 
 struct MergeOptions {
@@ -38,6 +45,9 @@ struct MergeOptions {
   double min_quality = 0.5;
   /// Parts that meet nothing are added unjoined, with a warning, instead of kPartsApart.
   bool allow_apart = false;
+
+  /// If not empty, only these are joined: the faces of one group with those of the other.
+  std::vector<JoinedGroups> joins;
 
   /// Called at the start of each stage with its name and the share of the work done, 0 to 1.
   std::function<void(std::string_view stage, double done)> progress;

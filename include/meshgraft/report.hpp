@@ -20,6 +20,15 @@ struct InputSummary {
   std::uint64_t groups = 0;
 };
 
+/// One of the meshes that are joined: the base, a part; or, where a model is joined with itself, a
+/// connected mesh of it, or what the groups to be joined have of that.
+struct ComponentSummary {
+  std::uint32_t input = 0;
+  std::uint64_t faces = 0;
+  std::int64_t element = 0;         // label of the first face, in that input
+  std::vector<std::string> groups;  // that all its faces are in
+};
+
 /// A curve along which inputs are joined, or a single node where they are joined in no curve.
 struct PolylineSummary {
   /// "crossing": every input goes on beyond the curve on both sides; "touching": one of them ends on
@@ -28,7 +37,8 @@ struct PolylineSummary {
   bool closed = false;
   double length = 0;
   std::uint64_t nodes = 0, corners = 0;
-  std::vector<std::uint32_t> inputs;  // the inputs that meet along it, ascending
+  std::vector<std::uint32_t> inputs;      // the inputs that meet along it, ascending
+  std::vector<std::uint32_t> components;  // the same in terms of Report::components, ascending
 };
 
 /// A place in the merged mesh where something is not as it should be.
@@ -89,6 +99,7 @@ struct DroppedEntry {
 struct Report {
   std::string version;
   std::vector<InputSummary> inputs;
+  std::vector<ComponentSummary> components;
   std::vector<PolylineSummary> junction;
   struct Zone {
     std::uint64_t faces_removed = 0, faces_created = 0, nodes_removed = 0, nodes_created = 0;

@@ -42,6 +42,14 @@ class Arguments {
     values_.push_back(option);
     return option->type_name(kind)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   }
+  /// An option that may be given several times.
+  void repeated(const std::string& names, const std::string& kind, std::vector<std::string>& into,
+                const std::string& help) {
+    app_.add_option(names, into, help)
+        ->type_name(kind)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
   void flag(const std::string& names, bool& into, const std::string& help) { app_.add_flag(names, into, help); }
 
   [[nodiscard]] bool called() const { return app_.parsed(); }
@@ -195,11 +203,16 @@ class CommandReader {
 
 class MergeCommand : public CommandReader<MergeArguments> {
  public:
-  explicit MergeCommand(CLI::App& app) : CommandReader(app, "merge", "graft PARTs onto BASE") {
+  explicit MergeCommand(CLI::App& app)
+      : CommandReader(app, "merge", "graft PARTs onto BASE, or join the meshes in BASE") {
     a_.name("BASE", out_.base, "mesh that is kept but for the zone where parts meet it (UNV)");
-    a_.names("PART", out_.parts, "meshes that are grafted onto it, one or more (UNV)");
+    a_.names("PART", out_.parts,
+             "meshes that are grafted onto it (UNV); with none, the meshes in BASE are joined with each other");
     a_.value("-o,--output", "OUT", "file written (UNV); appears whole or not at all; required");
     a_.value("--report", "FILE", "JSON file with the ledger and all figures [default: none]");
+    a_.repeated("--join", "A:B", joins_,
+                "join only faces of element group A with faces of element group B; may be given several times "
+                "[default: all that meet]");
     a_.value("--mode", "MODE", "how meeting faces are treated: auto or face-edge [default: auto]");
     a_.value("--method", "METHOD", "how the zone is filled: adaptive [default: adaptive]");
     a_.value("--angle", "DEG", "faces that meet at less than this lie on each other; degrees [default: 20]");
@@ -225,9 +238,6 @@ class MergeCommand : public CommandReader<MergeArguments> {
     for (const auto& [name, reason] : kNotInThisVersion)
       if (a_.typed(name)) return failure(ErrorCode::kUsage, fmt::format("{} is {}", name, reason), a_.see_help());
     if (out_.base.empty()) return a_.missing("BASE, the mesh to graft onto,");
-    if (out_.parts.empty())
-      return failure(ErrorCode::kUsage,
-                     "PART is missing; joining a base with itself is not in this version of meshgraft", a_.see_help());
     Result<void> done = read_options();
     if (done && out_.output.empty()) return a_.missing("-o OUT, the file to write,");
     return done;
@@ -251,8 +261,14 @@ class MergeCommand : public CommandReader<MergeArguments> {
     if (done) done = store(a_, "--size", size, o.size);
     if (done) done = store(a_, "--bandwidth", bandwidth, o.bandwidth);
     if (done) done = store(a_, "--min-quality", quality, o.min_quality);
+    for (const std::string& names : joins_) {
+      if (!done) break;
+      done = joined_groups({"--join", names}).map([&](const JoinedGroups& groups) { o.joins.push_back(groups); });
+    }
     return done;
   }
+
+  std::vector<std::string> joins_;
 };
 
 class CheckCommand : public CommandReader<CheckArguments> {
@@ -307,7 +323,7 @@ constexpr const char* kExitCodes =
 
 const std::map<std::string, std::string>& usage() {
   static const std::map<std::string, std::string> kUsage{{"", "COMMAND ... | --help | --version"},
-                                                         {"merge", "merge BASE PART... -o OUT [options]"},
+                                                         {"merge", "merge BASE [PART...] -o OUT [options]"},
                                                          {"check", "check FILE [options]"},
                                                          {"info", "info FILE [options]"},
                                                          {"convert", "convert IN OUT [options]"}};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "cli/print.hpp"
@@ -45,6 +46,13 @@ struct Met {
   }
 };
 
+/// How many of the components meet another one.
+std::size_t joined_components(const Report& report) {
+  std::set<std::uint32_t> met;
+  for (const PolylineSummary& p : report.junction) met.insert(p.components.begin(), p.components.end());
+  return met.size();
+}
+
 std::string junction(const Report& report, const MergeArguments& arguments) {
   Met all;
   for (const PolylineSummary& p : report.junction) all.add(p);
@@ -60,6 +68,8 @@ std::string junction(const Report& report, const MergeArguments& arguments) {
                                 : fmt::format("{}, length {}{}", counted(of_part.curves, "curve", "curves"),
                                               figure(of_part.length), of_part.single_nodes()));
   }
+  if (!report.components.empty() && arguments.parts.empty())
+    text += fmt::format("\n{} of {} connected meshes met", joined_components(report), report.components.size());
   return text;
 }
 

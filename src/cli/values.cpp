@@ -96,6 +96,14 @@ Result<std::optional<int>> bandwidth(const Typed& typed) {
   });
 }
 
+Result<JoinedGroups> joined_groups(const Typed& typed) {
+  const std::size_t colon = typed.text.find(':');
+  const bool two_names = colon != std::string::npos && colon > 0 && colon + 1 < typed.text.size();
+  if (!two_names || typed.text.find(':', colon + 1) != std::string::npos)
+    return wrong_value(typed, "is not two names", "two names of element groups with one colon between them");
+  return JoinedGroups{typed.text.substr(0, colon), typed.text.substr(colon + 1)};
+}
+
 Result<std::size_t> choice(const Typed& typed, std::span<const std::string> names, std::span<const std::string> later) {
   const auto found = std::ranges::find(names, typed.text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());

@@ -40,6 +40,9 @@ struct Range {
 /// `N` >= 1; nothing for `auto`.
 [[nodiscard]] Result<std::optional<int>> bandwidth(const Typed& typed);
 
+/// `A:B`, two names of groups. Errors (kUsage): no colon or several, an empty name.
+[[nodiscard]] Result<JoinedGroups> joined_groups(const Typed& typed);
+
 /// One of a few names. Those of `later` exist in the method but not in this version, and are refused
 /// with these words.
 ///   returns   position in `names`

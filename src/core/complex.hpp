@@ -29,14 +29,15 @@ enum class VertexState : std::uint8_t {
 /// default each is a mesh of its own and is joined to every other.
 struct Joins {
   std::vector<std::uint32_t> mesh;                  // by component: alike where they share nodes in the input
-  std::vector<std::array<std::uint32_t, 2>> pairs;  // ascending; if empty, all components of different meshes
+  std::vector<std::uint32_t> kind;                  // by component; if empty, meshes are joined to each other
+  std::vector<std::array<std::uint32_t, 2>> kinds;  // that are joined, both ways, ascending
 
   [[nodiscard]] std::uint32_t mesh_of(std::uint32_t component) const {
     return mesh.empty() ? component : mesh[component];
   }
   [[nodiscard]] bool are_joined(std::uint32_t a, std::uint32_t b) const {
-    if (pairs.empty()) return mesh_of(a) != mesh_of(b);
-    return std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(a, b), std::max(a, b)});
+    if (kind.empty()) return mesh_of(a) != mesh_of(b);
+    return a != b && std::binary_search(kinds.begin(), kinds.end(), std::array{kind[a], kind[b]});
   }
 };
 

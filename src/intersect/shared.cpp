@@ -1,6 +1,7 @@
 #include "intersect/shared.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace meshgraft {
 namespace {
@@ -9,6 +10,17 @@ template <class T>
 void make_distinct(std::vector<T>& list) {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Calls f(item, components) for each item that components have which are joined. `uses`: ascending.
+template <class T, class F>
+void for_each_joined(const Joins& joins, const std::vector<std::pair<T, std::uint32_t>>& uses, F&& f) {
+  std::vector<std::uint32_t> components;
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
+    components.clear();
+    for (; last < uses.size() && uses[last].first == uses[first].first; ++last) components.push_back(uses[last].second);
+    if (any_joined(joins, components)) f(uses[first].first, std::span<const std::uint32_t>(components));
+  }
 }
 
 }  // namespace
@@ -22,6 +34,13 @@ std::vector<std::uint8_t> shared_vertices(const Complex& complex) {
       if (first[v.value] != complex.component[f]) shared[v.value] = 1;
     }
   return shared;
+}
+
+bool any_joined(const Joins& joins, std::span<const std::uint32_t> components) {
+  for (std::size_t i = 0; i < components.size(); ++i)
+    for (std::size_t j = i + 1; j < components.size(); ++j)
+      if (joins.are_joined(components[i], components[j])) return true;
+  return false;
 }
 
 void find_shared(Corefined& out) {
@@ -41,17 +60,16 @@ void find_shared(Corefined& out) {
   make_distinct(vertex_uses);
 
   std::vector<std::uint8_t> on_edge(complex.n_vertices());
-  for (std::size_t i = 1; i < edge_uses.size(); ++i) {
-    const auto& edge = edge_uses[i].first;
-    if (edge != edge_uses[i - 1].first) continue;
-    if (out.junction_edges.empty() || out.junction_edges.back() != edge) out.junction_edges.push_back(edge);
+  for_each_joined(complex.joins, edge_uses, [&](const std::array<VertexId, 2>& edge, std::span<const std::uint32_t>) {
+    out.junction_edges.push_back(edge);
     for (const VertexId v : edge) on_edge[v.value] = 1;
-  }
-  for (std::size_t v = 0; v < shared.size(); ++v)
-    if (shared[v] && !on_edge[v]) out.junction_points.push_back(VertexId(v));
-  for (std::size_t i = 0; i < vertex_uses.size(); ++i)
-    for (std::size_t j = i + 1; j < vertex_uses.size() && vertex_uses[j].first == vertex_uses[i].first; ++j)
-      out.met.push_back({vertex_uses[i].second, vertex_uses[j].second});
+  });
+  for_each_joined(complex.joins, vertex_uses, [&](VertexId v, std::span<const std::uint32_t> components) {
+    if (!on_edge[v.value]) out.junction_points.push_back(v);
+    for (std::size_t i = 0; i < components.size(); ++i)
+      for (std::size_t j = i + 1; j < components.size(); ++j)
+        if (complex.joins.are_joined(components[i], components[j])) out.met.push_back({components[i], components[j]});
+  });
   make_distinct(out.met);
 }
 

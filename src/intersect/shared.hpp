@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "intersect/corefine.hpp"
@@ -10,6 +11,9 @@ namespace meshgraft {
 
 /// By vertex: 1 if it has faces of several components.
 [[nodiscard]] std::vector<std::uint8_t> shared_vertices(const Complex& complex);
+
+/// Whether two of some components are joined.
+[[nodiscard]] bool any_joined(const Joins& joins, std::span<const std::uint32_t> components);
 
 /// Fills junction_edges, junction_points and met from the complex.
 void find_shared(Corefined& corefined);

@@ -18,6 +18,7 @@ class NodeSplicer {
 
   void run() {
     cut_records(s_, s_.models.front()->node_place, s_.graft.removed_nodes.front(), s_.base().double_nodes);
+    move_base();
     for (std::uint32_t k = 1; k < s_.n_inputs(); ++k) add_part(k);
     add_new();
     // Dataset 15 has no room for the digits of new coordinates: nodes that join it get a dataset
@@ -40,6 +41,28 @@ class NodeSplicer {
     return at == std::string_view::npos ? 'D' : record[at];
   }
 
+  /// Nodes of the base that were moved, when it was joined with itself. Dataset 15 has no room for
+  /// the digits of their coordinates.
+  void move_base() {
+    const Document& d = s_.base();
+    const Model& model = *s_.models.front();
+    for (const Graft::MovedNode& moved : s_.graft.moved_nodes) {
+      if (moved.node.input != 0) break;
+      const std::size_t i = moved.node.node.value, begin = model.node_place[i];
+      const std::size_t end = d.record_end(model.node_place, i, d.double_nodes);
+      const Dataset& dataset = d.datasets[d.dataset_at(begin)];
+      const std::int64_t label = s_.names.of(moved.node);
+      if (node_layout_of(dataset.number) == NodeLayout::kTwoLines) {
+        TextPieces text;
+        add_changed(d, begin, dataset.body_end, label, &moved, text);
+        s_.edits.replace(begin, end, std::move(text));
+      } else {
+        s_.edits.cut(begin, end);
+        add_in_other_form(d, begin, dataset, label, &moved);
+      }
+    }
+  }
+
   void add_part(std::uint32_t k) {
     const Document& d = *s_.documents[k];
     const Model& model = *s_.models[k];
@@ -54,7 +77,7 @@ class NodeSplicer {
           record.ends_with(s_.line_end()))
         text_.add_span(record);
       else if (same_form)
-        add_changed(d, begin, dataset.body_end, s_.names.of(node), moved);
+        add_changed(d, begin, dataset.body_end, s_.names.of(node), moved, text_);
       else
         add_in_other_form(d, begin, dataset, s_.names.of(node), moved);
     });
@@ -62,7 +85,7 @@ class NodeSplicer {
 
   /// The record with another label or other coordinates; everything else as it is.
   void add_changed(const Document& d, std::size_t begin, std::size_t limit, std::int64_t label,
-                   const Graft::MovedNode* moved) {
+                   const Graft::MovedNode* moved, TextPieces& into) {
     const Line first = d.lines.at(begin, limit), second = d.lines.at(first.next, limit);
     std::string header(d.lines.view(first));
     if (parse_integers(header, values_) == Cut::kColumns) {
@@ -72,7 +95,7 @@ class NodeSplicer {
       values_.front() = label, header.clear();
       append_integers(values_, s_.line_end(), header);
     }
-    std::string& text = text_.made();
+    std::string& text = into.made();
     text += header;
     if (moved != nullptr) {
       append_point(moved->to, exponent_, s_.line_end(), text);

@@ -21,6 +21,14 @@ void append(std::vector<T>& to, std::vector<T> from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
+/// The largest bandwidth of the components of each input.
+std::vector<int> by_input(const std::vector<int>& bandwidth, const Components& components) {
+  std::vector<int> largest(components.input_order.size(), 0);
+  for (std::size_t c = 0; c < bandwidth.size(); ++c)
+    largest[components.input[c]] = std::max(largest[components.input[c]], bandwidth[c]);
+  return largest;
+}
+
 /// Everything that can be said against the result, and the figures that go with it.
 void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
            Report& report) {
@@ -44,10 +52,10 @@ void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& tra
 }  // namespace
 
 Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged) {
-  const auto& [inputs, original, corefined, zone, dropped, translated, options] = operation;
+  const auto& [inputs, components, original, corefined, zone, dropped, translated, options] = operation;
   Report& report = merged.report;
   Graft& graft = merged.graft;
-  report.zone.bandwidth = zone.bandwidth, report.zone.widened = zone.widened;
+  report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
   const Complex& final_complex = zone.remeshed.complex;
 
   watch.start("stitch", 0.8);
@@ -58,7 +66,8 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   merged.labels = std::move(*labels);
 
   watch.start("check", 0.9);
-  const Outcome outcome{inputs, original, corefined, final_complex, stitched, graft, merged.labels, dropped};
+  const Outcome outcome{inputs,   components, original,      corefined, final_complex,
+                        stitched, graft,      merged.labels, dropped};
   summarise(outcome, report);
   judge(outcome, zone.remeshed, translated, options, report);
   Ledger ledger = ledger_of(inputs, graft, dropped);

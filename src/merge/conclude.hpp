@@ -1,6 +1,7 @@
 // The last steps of every operation: from the remeshed zone to the graft, its labels and the report.
 #pragma once
 
+#include "core/components.hpp"
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
 #include "merge/inputs.hpp"
@@ -13,6 +14,7 @@ namespace meshgraft {
 /// What an operation has done so far.
 struct Operation {
   Inputs inputs;
+  const Components& components;
   const Complex& original;     // the workpiece
   const Corefined& corefined;  // the same, cut along the junction, without what was dropped
   const RemeshedZone& zone;

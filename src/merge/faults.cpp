@@ -81,15 +81,52 @@ std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::Ope
   return errors;
 }
 
-std::vector<std::uint32_t> parts_apart(Inputs inputs, std::span<const std::array<std::uint32_t, 2>> met) {
-  std::vector<bool> reached(inputs.size());
+std::vector<std::uint32_t> parts_apart(const Components& components,
+                                       std::span<const std::array<std::uint32_t, 2>> met) {
+  std::vector<std::vector<std::uint32_t>> meets(components.input_order.size());
+  for (const auto& [a, b] : met) {
+    meets[components.input[a]].push_back(components.input[b]);
+    meets[components.input[b]].push_back(components.input[a]);
+  }
+  std::vector<bool> reached(meets.size());
+  std::vector<std::uint32_t> open{0};
   reached[0] = true;
-  for (std::size_t round = 0; round < inputs.size(); ++round)
-    for (const auto& [a, b] : met) reached[a] = reached[b] = reached[a] || reached[b];
+  while (!open.empty()) {
+    const std::uint32_t k = open.back();
+    open.pop_back();
+    for (const std::uint32_t other : meets[k])
+      if (!reached[other]) reached[other] = true, open.push_back(other);
+  }
   std::vector<std::uint32_t> apart;
-  for (std::uint32_t k = 1; k < inputs.size(); ++k)
+  for (std::uint32_t k = 1; k < reached.size(); ++k)
     if (!reached[k]) apart.push_back(k);
   return apart;
+}
+
+std::optional<Error> nothing_joined(Inputs inputs, const Components& components,
+                                    std::span<const std::array<std::uint32_t, 2>> met,
+                                    const std::vector<JoinedGroups>& joins) {
+  const std::string& path = inputs[0]->path;
+  for (std::size_t j = 0; j < joins.size(); ++j) {
+    const auto is_met = [&](const auto& pair) {
+      return components.joined_by(pair[0], pair[1], static_cast<std::uint32_t>(j));
+    };
+    if (std::ranges::any_of(met, is_met)) continue;
+    return Error{ErrorCode::kPartsApart,
+                 "faces of group " + joins[j].a + " and of group " + joins[j].b + " do not meet",
+                 "check the names, give a larger --tolerance, or --allow-apart to leave them unjoined",
+                 {path, 0}};
+  }
+  if (inputs.size() > 1 || !met.empty()) return std::nullopt;
+  if (components.size() == 1)
+    return Error{ErrorCode::kPartsApart,
+                 "all faces of " + path + " hang together already, so there is nothing to join",
+                 "name the PARTs to graft onto it, or two groups of it that shall be joined: --join GROUP_A:GROUP_B",
+                 {path, 0}};
+  return Error{ErrorCode::kPartsApart,
+               "the " + std::to_string(components.size()) + " connected meshes of " + path + " do not meet each other",
+               "check their positions, or give a larger --tolerance",
+               {path, 0}};
 }
 
 Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart) {

@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/components.hpp"
 #include "intersect/corefine.hpp"
 #include "merge/inputs.hpp"
+#include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
 namespace meshgraft {
@@ -19,8 +21,17 @@ namespace meshgraft {
 [[nodiscard]] std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps);
 
 /// The parts that no chain of meetings joins to the base, ascending.
-/// `met`: pairs of inputs that meet.
-[[nodiscard]] std::vector<std::uint32_t> parts_apart(Inputs inputs, std::span<const std::array<std::uint32_t, 2>> met);
+/// `met`: pairs of components that meet.
+[[nodiscard]] std::vector<std::uint32_t> parts_apart(const Components& components,
+                                                     std::span<const std::array<std::uint32_t, 2>> met);
+
+/// Where an input is joined with itself, or groups are: what was to be joined and meets nowhere.
+/// Nothing if all is well.
+///   one input        no component meets another
+///   MergeOptions::joins   two groups have no faces that meet
+[[nodiscard]] std::optional<Error> nothing_joined(Inputs inputs, const Components& components,
+                                                  std::span<const std::array<std::uint32_t, 2>> met,
+                                                  const std::vector<JoinedGroups>& joins);
 
 /// kPartsApart naming the parts apart, those that are not, and how far away they are.
 [[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart);

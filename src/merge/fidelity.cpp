@@ -11,17 +11,13 @@
 namespace meshgraft {
 namespace {
 
-/// The faces of one input that were removed.
+/// The faces of one component that were removed.
 class Reference {
  public:
-  Reference(const Model& model, std::span<const ElementId> removed) {
-    std::vector<Box> boxes;
-    for (const ElementId e : removed) {
-      if (!model.is_face(e)) continue;
-      faces_.push_back(model.corners(e));
-      Box& box = boxes.emplace_back();
-      for (const Vec3& p : faces_.back()) box.add(p);
-    }
+  explicit Reference(std::vector<Triangle> removed) : faces_(std::move(removed)) {
+    std::vector<Box> boxes(faces_.size());
+    for (std::size_t f = 0; f < boxes.size(); ++f)
+      for (const Vec3& p : faces_[f]) boxes[f].add(p);
     tree_ = BoxTree(boxes);
   }
 
@@ -53,8 +49,12 @@ class Measure {
  public:
   Measure(const Outcome& outcome, const Tolerance& tolerance, const FidelityLimits& limits)
       : outcome_(outcome), tolerance_(tolerance), limits_(limits) {
-    for (std::size_t k = 0; k < outcome.inputs.size(); ++k)
-      references_.emplace_back(*outcome.inputs[k], outcome.graft.removed_elements[k]);
+    std::vector<std::vector<Triangle>> removed(outcome.components.size());
+    for (std::uint32_t k = 0; k < outcome.inputs.size(); ++k)
+      for (const ElementId e : outcome.graft.removed_elements[k])
+        if (const Model& model = *outcome.inputs[k]; model.is_face(e))
+          removed[outcome.components.of({k, e})].push_back(model.corners(e));
+    for (auto& faces : removed) references_.emplace_back(std::move(faces));
   }
 
   FidelityVerdict run() {
@@ -80,7 +80,7 @@ class Measure {
     return tolerance.at(length) / length;
   }
 
-  /// Each vertex once for each input it has new faces of.
+  /// Each vertex once for each component it has new faces of.
   void corners() {
     const Complex& complex = outcome_.final_complex;
     std::vector<std::tuple<VertexId, std::uint32_t, FaceId>> uses;
@@ -95,23 +95,23 @@ class Measure {
     }
   }
 
-  /// Each edge of a new face once for each input.
+  /// Each edge of a new face once for each component.
   void edges() {
     const Complex& complex = outcome_.final_complex;
     const std::vector<EdgeUse> uses = edge_uses(complex, changed_vertices(outcome_));
     for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
       for (std::size_t k = 0; k < edge.size(); ++k) {
-        const auto same_input = [&](const EdgeUse& e) {
+        const auto same_component = [&](const EdgeUse& e) {
           return outcome_.is_new(e.face) && complex.component[e.face.value] == complex.component[edge[k].face.value];
         };
-        if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_input)) continue;
+        if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_component)) continue;
         look(midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]), edge[k].face);
       }
     });
   }
 
   void look(Vec3 p, FaceId f) {
-    const Reference& reference = references_[outcome_.final_complex.parent[f.value].input];
+    const Reference& reference = references_[outcome_.final_complex.component[f.value]];
     if (reference.empty()) return;
     Report::Fidelity& worst = verdict_.figures;
     const double length = outcome_.input_edge_length(f);
@@ -128,7 +128,7 @@ class Measure {
   const Outcome& outcome_;
   const Tolerance& tolerance_;
   const FidelityLimits& limits_;
-  std::vector<Reference> references_;
+  std::vector<Reference> references_;  // by component
   FidelityVerdict verdict_;
   FaceId worst_;
 };

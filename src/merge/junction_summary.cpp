@@ -48,7 +48,7 @@ class Chainer {
   PolylineSummary walk(std::uint32_t e, VertexId start) {
     PolylineSummary line;
     line.kind = edges_[e].crossing ? "crossing" : "touching";
-    line.inputs = edges_[e].inputs;
+    line.components = edges_[e].components;
     line.nodes = 1;
     VertexId before, v = start, second;
     while (true) {
@@ -80,9 +80,9 @@ class Chainer {
   std::vector<std::pair<VertexId, std::uint32_t>> at_;  // ascending
 };
 
-/// `inputs`: one entry for each face.
-bool each_occurs_twice(const std::vector<std::uint32_t>& inputs) {
-  return std::ranges::all_of(inputs, [&](std::uint32_t k) { return std::ranges::count(inputs, k) > 1; });
+/// `components`: one entry for each face.
+bool each_occurs_twice(const std::vector<std::uint32_t>& components) {
+  return std::ranges::all_of(components, [&](std::uint32_t c) { return std::ranges::count(components, c) > 1; });
 }
 
 void make_distinct(std::vector<std::uint32_t>& list) {
@@ -99,10 +99,10 @@ Junction junction_of(const Complex& complex) {
   const std::vector<EdgeUse> uses = edge_uses(complex, shared);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     JunctionEdge e{{edge[0].low, edge[0].high}, {}};
-    for (const EdgeUse& use : edge) e.inputs.push_back(complex.component[use.face.value]);
-    e.crossing = each_occurs_twice(e.inputs);
-    make_distinct(e.inputs);
-    if (e.inputs.size() < 2) return;
+    for (const EdgeUse& use : edge) e.components.push_back(complex.component[use.face.value]);
+    e.crossing = each_occurs_twice(e.components);
+    make_distinct(e.components);
+    if (!any_joined(complex.joins, e.components)) return;
     for (const VertexId v : e.ends) on_edge[v.value] = 1;
     junction.edges.push_back(std::move(e));
   });
@@ -110,17 +110,22 @@ Junction junction_of(const Complex& complex) {
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
     for (const VertexId v : complex.face[f])
       if (shared[v.value] && !on_edge[v.value]) points[v].push_back(complex.component[f]);
-  for (auto& [v, inputs] : points) {
-    make_distinct(inputs);
-    junction.points.push_back({v, std::move(inputs)});
+  for (auto& [v, components] : points) {
+    make_distinct(components);
+    if (any_joined(complex.joins, components)) junction.points.push_back({v, std::move(components)});
   }
   return junction;
 }
 
 std::vector<PolylineSummary> polylines_of(const Complex& complex, const Junction& junction,
-                                          const JunctionSummaryOptions& options) {
+                                          const Components& components, const JunctionSummaryOptions& options) {
   std::vector<PolylineSummary> all = Chainer(complex, junction.edges, options).run();
-  for (const JunctionPoint& p : junction.points) all.push_back({"point", false, 0, 1, 1, p.inputs});
+  for (const JunctionPoint& p : junction.points) all.push_back({"point", false, 0, 1, 1, {}, p.components});
+  for (PolylineSummary& line : all) {
+    for (const std::uint32_t c : line.components) line.inputs.push_back(components.input[c]);
+    make_distinct(line.inputs);
+    if (!components.are_parted()) line.components.clear();
+  }
   return all;
 }
 

@@ -9,21 +9,21 @@
 
 namespace meshgraft {
 
-/// An edge of the final complex with faces of several inputs.
+/// An edge of the final complex with faces of several components that are joined.
 struct JunctionEdge {
-  std::array<VertexId, 2> ends;       // ascending
-  std::vector<std::uint32_t> inputs;  // ascending
-  bool crossing = false;              // each input has two faces or more on it
+  std::array<VertexId, 2> ends;           // ascending
+  std::vector<std::uint32_t> components;  // ascending
+  bool crossing = false;                  // each component has two faces or more on it
   /// Whether a polyline may go on from one to the other.
   [[nodiscard]] bool continues(const JunctionEdge& next) const {
-    return inputs == next.inputs && crossing == next.crossing;
+    return components == next.components && crossing == next.crossing;
   }
 };
 
-/// A vertex of the final complex with faces of several inputs, on no junction edge.
+/// A vertex of the final complex with faces of several such components, on no junction edge.
 struct JunctionPoint {
   VertexId vertex;
-  std::vector<std::uint32_t> inputs;  // ascending
+  std::vector<std::uint32_t> components;  // ascending
 };
 
 struct Junction {
@@ -38,9 +38,10 @@ struct JunctionSummaryOptions {
 };
 
 /// Chains the edges to polylines; the points follow. A polyline ends where other than two edges of
-/// the same inputs and kind meet; its corners are its ends and its sharp turns. Order: open ones
+/// the same components and kind meet; its corners are its ends and its sharp turns. Order: open ones
 /// first, by smallest vertex.
 [[nodiscard]] std::vector<PolylineSummary> polylines_of(const Complex& complex, const Junction& junction,
+                                                        const Components& components,
                                                         const JunctionSummaryOptions& options = {});
 
 }  // namespace meshgraft

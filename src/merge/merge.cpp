@@ -1,9 +1,11 @@
 #include "meshgraft/merge.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/summary.hpp"
 #include "merge/compatibility.hpp"
+#include "merge/components.hpp"
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"
 #include "merge/group_table.hpp"
@@ -23,13 +25,15 @@ void append(std::vector<T>& to, std::vector<T> from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Parts that meet nothing: an error, or a warning if the user allows it.
-Result<void> check_parts_meet(Inputs inputs, const Corefined& corefined, const MergeOptions& options, Report& report) {
-  const std::vector<std::uint32_t> apart = parts_apart(inputs, corefined.met);
-  if (apart.empty()) return {};
-  const Error error = apart_error(inputs, apart);
-  if (!options.allow_apart) return Failure(error);
-  report.warnings.push_back({name(error.code), error.what + "; added unjoined", error.place});
+/// What was to be joined and meets nothing: an error, or a warning if the user allows it.
+Result<void> check_parts_meet(Inputs inputs, const Components& components, const Corefined& corefined,
+                              const MergeOptions& options, Report& report) {
+  std::optional<Error> error = nothing_joined(inputs, components, corefined.met, options.joins);
+  const std::vector<std::uint32_t> apart = parts_apart(components, corefined.met);
+  if (!error && !apart.empty()) error = apart_error(inputs, apart);
+  if (!error) return {};
+  if (!options.allow_apart) return Failure(*error);
+  report.warnings.push_back({name(error->code), error->what + "; left unjoined", error->place});
   return {};
 }
 
@@ -52,12 +56,16 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   SetTranslation translated(inputs, table, graft.group_sets);
   SearchOptions search_options;
   search_options.tolerance = options.tolerance;
-  const auto candidates = candidate_faces(inputs, search_options);
+  const Result<Components> components = components_of(inputs, options);
+  if (!components) return Failure(components.error());
+  if (components->are_parted()) report.components = summaries_of(inputs, *components);
+  const auto candidates = candidate_faces(inputs, *components, search_options);
   if (const auto ok = check_local_scale(inputs, candidates); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
   if (options.trim) workpiece_options.least = *options.trim;
-  const Complex original = workpiece(inputs, candidates, table.of_input, graft.group_sets, workpiece_options);
+  const Complex original =
+      workpiece(inputs, *components, candidates, table.of_input, graft.group_sets, workpiece_options);
 
   watch.start("intersect", 0.2);  // paper 5.1, 5.2
   CorefineOptions corefine_options;
@@ -65,14 +73,15 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   corefine_options.contact_angle = options.contact_angle;
   auto corefined = corefine(original, graft.group_sets, corefine_options);
   if (!corefined) return Failure(to_error(inputs, corefined.error()));
-  if (const auto ok = check_parts_meet(inputs, *corefined, options, report); !ok) return Failure(ok.error());
+  if (const auto ok = check_parts_meet(inputs, *components, *corefined, options, report); !ok)
+    return Failure(ok.error());
 
   Dropped dropped;
   if (options.trim) report.dropped = trim(*corefined, *options.trim, graft, dropped);
 
   watch.start("remesh", 0.3);  // paper 5.3 to 5.6
   const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
-  const Operation operation{inputs, original, *corefined, zone, dropped, translated, options};
+  const Operation operation{inputs, *components, original, *corefined, zone, dropped, translated, options};
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   return merged;
 }
@@ -80,9 +89,6 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
 }  // namespace
 
 Result<Merged> merge(const Model& base, std::span<const Model> parts, const MergeOptions& options) {
-  if (parts.empty())
-    return failure(ErrorCode::kUsage, "no part to merge onto " + base.path,
-                   "name one or more parts; joining a model with itself is not available in this version");
   std::vector<const Model*> inputs{&base};
   for (const Model& part : parts) inputs.push_back(&part);
   return merge(Inputs(inputs), options);

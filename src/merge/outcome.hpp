@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "core/components.hpp"
 #include "intersect/corefine.hpp"
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
@@ -15,6 +16,7 @@ namespace meshgraft {
 
 struct Outcome {
   Inputs inputs;
+  const Components& components;
   const Complex& original;       // the workpiece
   const Corefined& corefined;    // the same, cut along the junction
   const Complex& final_complex;  // remeshed

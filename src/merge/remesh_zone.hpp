@@ -29,7 +29,7 @@ struct WidenLimits {
 
 struct RemeshedZone {
   Remeshed remeshed;
-  std::vector<int> bandwidth;  // by input
+  std::vector<int> bandwidth;  // by component
   int widened = 0;             // times the zone was grown
 };
 

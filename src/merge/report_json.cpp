@@ -17,8 +17,12 @@ Json json(const InputSummary& s) {
 }
 
 Json json(const PolylineSummary& p) {
-  return {{"kind", p.kind},   {"closed", p.closed},   {"length", p.length},
-          {"nodes", p.nodes}, {"corners", p.corners}, {"inputs", p.inputs}};
+  return {{"kind", p.kind},       {"closed", p.closed}, {"length", p.length},        {"nodes", p.nodes},
+          {"corners", p.corners}, {"inputs", p.inputs}, {"components", p.components}};
+}
+
+Json json(const ComponentSummary& c) {
+  return {{"input", c.input}, {"faces", c.faces}, {"element", c.element}, {"groups", c.groups}};
 }
 
 Json json(const QualityPlace& p) {
@@ -89,6 +93,7 @@ std::string to_json(const Report& r) {
   Json all;
   all["version"] = r.version;
   all["inputs"] = list(r.inputs);
+  all["components"] = list(r.components);
   all["junction"] = list(r.junction);
   all["zone"] = json(r.zone);
   all["quality"] = json(r.quality);

@@ -60,7 +60,7 @@ void list_moves(const Outcome& outcome, Report& report) {
 
 void summarise(const Outcome& outcome, Report& report) {
   count_changes(outcome, report);
-  report.junction = polylines_of(outcome.final_complex, junction_of(outcome.final_complex));
+  report.junction = polylines_of(outcome.final_complex, junction_of(outcome.final_complex), outcome.components);
   list_labels(outcome, report);
   list_moves(outcome, report);
 }

@@ -60,14 +60,14 @@ class ResultCheck {
     return {std::min(a, b), std::max(a, b)};
   }
 
-  /// Pairs of faces of one input that met already before the merge, ascending.
+  /// Pairs of faces that are not joined and met already before the merge, ascending.
   std::vector<ParentPair> met_before() const {
     const Complex& before = outcome_.original;
     const std::vector<std::uint8_t> all(before.n_faces(), 1);
     std::vector<ParentPair> met;
     for (const auto& pair : intersecting_faces(before, all)) {
-      const ParentPair parents = parents_of(before, pair);
-      if (parents[0].input == parents[1].input) met.push_back(parents);
+      const std::uint32_t a = before.component[pair[0].value], b = before.component[pair[1].value];
+      if (!before.joins.are_joined(a, b)) met.push_back(parents_of(before, pair));
     }
     std::sort(met.begin(), met.end());
     return met;

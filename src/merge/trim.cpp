@@ -49,8 +49,9 @@ class Trimmer {
 
  private:
   void collect_faces() {
+    const Joins& joins = complex_.joins;
     for (std::uint32_t f = 0; f < piece_of_.size(); ++f)
-      if (complex_.parent[f].input > 0) pieces_[piece_of_[f]].faces.emplace_back(f);
+      if (joins.mesh_of(complex_.component[f]) != joins.mesh_of(0)) pieces_[piece_of_[f]].faces.emplace_back(f);
   }
 
   void collect_edges() {

@@ -27,6 +27,7 @@ class Writer {
       out().lines.push_back(line);
     }
     for (const auto& e : complex_.fixed_edges) out().fixed_edges.push_back({id_[e[0].value], id_[e[1].value]});
+    out().joins = complex_.joins;
     measure_curves();
     std::ranges::sort(result_.bad,
                       [](const BadFace& a, const BadFace& b) { return a.q < b.q || (a.q == b.q && a.face < b.face); });

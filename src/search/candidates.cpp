@@ -11,7 +11,8 @@ namespace meshgraft {
 namespace {
 
 struct GrownFace {
-  ElementId face;
+  ElementRef face;
+  std::uint32_t component = 0;
   Box box;
 };
 
@@ -29,104 +30,138 @@ Box grown_box(const Model& model, ElementId face, const SearchOptions& options) 
   return box.grown(by);
 }
 
-Box box_of_faces(const Model& model, const SearchOptions& options) {
-  std::vector<Box> of_block(model.n_elements() / kBlock + 1);
-  for_blocks(model.n_elements(), [&](std::size_t first, std::size_t last) {
-    Box box;
-    for (ElementId e(first); e.value < last; ++e.value)
-      if (model.is_face(e)) box.add(grown_box(model, e, options));
-    of_block[first / kBlock] = box;
-  });
-  Box all;
-  for (const Box& box : of_block) all.add(box);
-  return all;
-}
+class Search {
+ public:
+  Search(std::span<const Model* const> inputs, const Components& components, const SearchOptions& options)
+      : inputs_(inputs), components_(components), options_(options), boxes_(components.size()) {}
 
-/// The faces of one input whose grown box meets one of `others`.
-std::vector<GrownFace> faces_near(const Model& model, std::span<const Box> others, const SearchOptions& options) {
-  Box all;
-  for (const Box& box : others) all.add(box);
-  return collected<GrownFace>(model.n_elements(), [&](std::size_t i, std::vector<GrownFace>& out) {
-    const ElementId e(i);
-    if (!model.is_face(e)) return;
-    const Box box = grown_box(model, e, options);
-    if (!all.overlaps(box)) return;
-    for (const Box& other : others)
-      if (other.overlaps(box)) {
-        out.push_back({e, box});
-        return;
-      }
-  });
-}
+  std::vector<std::vector<ElementId>> run() {
+    // If the largest input is one component, it is passed over only once: it is cut to the boxes of
+    // the others, and they to what is then left of it.
+    const std::uint32_t largest = largest_input();
+    const bool once = components_.of_element[largest].empty();
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k)
+      if (k != largest || !once) find_boxes(k);
+    plant();
+    add_near(largest);
+    for (const GrownFace& f : near_)
+      if (once) boxes_[f.component].add(f.box);
+    plant();
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k)
+      if (k != largest) add_near(k);
+    meets_.resize(near_.size());
+    mark();
+    return found();
+  }
 
-/// The inputs in the order of their size, largest first: trees are built over the smaller of two.
-std::vector<std::size_t> by_size(std::span<const Model* const> inputs) {
-  std::vector<std::size_t> order(inputs.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return inputs[a]->n_elements() > inputs[b]->n_elements(); });
-  return order;
-}
+ private:
+  [[nodiscard]] std::uint32_t largest_input() const {
+    std::uint32_t largest = 0;
+    for (std::uint32_t k = 1; k < inputs_.size(); ++k)
+      if (inputs_[k]->n_elements() > inputs_[largest]->n_elements()) largest = k;
+    return largest;
+  }
 
-/// Marks the faces of two inputs whose boxes meet. Faces that follow each other in a file mostly
-/// lie together: a run of them that is far from the tree costs one query.
-void mark_meeting(std::span<const GrownFace> many, const BoxTree& tree, std::vector<std::uint8_t>& of_many,
-                  std::vector<std::uint8_t>& of_tree) {
-  constexpr std::size_t kRun = 64;
-  const auto mark_run = [&](std::size_t first, std::size_t last) {
-    Box run;
-    for (std::size_t i = first; i < last; ++i) run.add(many[i].box);
+  void find_boxes(std::uint32_t k) {
+    const Model& model = *inputs_[k];
+    if (!components_.of_element[k].empty()) {
+      for (std::size_t e = 0; e < model.n_elements(); ++e)
+        if (const ElementId f(e); model.is_face(f)) boxes_[components_.of({k, f})].add(grown_box(model, f, options_));
+      return;
+    }
+    std::vector<Box> of_block(model.n_elements() / kBlock + 1);
+    for_blocks(model.n_elements(), [&](std::size_t first, std::size_t last) {
+      for (ElementId e(first); e.value < last; ++e.value)
+        if (model.is_face(e)) of_block[first / kBlock].add(grown_box(model, e, options_));
+    });
+    for (const Box& box : of_block) boxes_[components_.of_input[k]].add(box);
+  }
+
+  /// The tree over the boxes of components known so far.
+  void plant() {
+    std::vector<Box> boxes;
+    tree_component_.clear();
+    for (std::uint32_t c = 0; c < boxes_.size(); ++c)
+      if (!boxes_[c].empty()) boxes.push_back(boxes_[c]), tree_component_.push_back(c);
+    component_tree_ = BoxTree(boxes);
+  }
+
+  [[nodiscard]] bool is_near_another(std::uint32_t component, const Box& box) const {
     bool near = false;
-    tree.overlapping(run, [&](std::uint32_t) { near = true; });
-    for (std::size_t i = first; near && i < last; ++i)
-      tree.overlapping(many[i].box, [&](std::uint32_t j) {
-        of_many[i] = 1;
-        std::atomic_ref(of_tree[j]).store(1, std::memory_order_relaxed);
-      });
-  };
-  for_blocks(many.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; i += kRun) mark_run(i, std::min(last, i + kRun));
-  });
-}
+    component_tree_.overlapping(
+        box, [&](std::uint32_t i) { near = near || components_.joins.are_joined(component, tree_component_[i]); });
+    return near;
+  }
+
+  /// The faces of an input whose grown box meets the box of another component.
+  void add_near(std::uint32_t k) {
+    const Model& model = *inputs_[k];
+    const auto near = collected<GrownFace>(model.n_elements(), [&](std::size_t i, std::vector<GrownFace>& out) {
+      const ElementRef e{k, ElementId(i)};
+      if (!model.is_face(e.element)) return;
+      const GrownFace face{e, components_.of(e), grown_box(model, e.element, options_)};
+      if (is_near_another(face.component, face.box)) out.push_back(face);
+    });
+    near_.insert(near_.end(), near.begin(), near.end());
+  }
+
+  [[nodiscard]] std::uint32_t largest_component() const {
+    std::vector<std::size_t> count(components_.size());
+    for (const GrownFace& f : near_) ++count[f.component];
+    return static_cast<std::uint32_t>(std::ranges::max_element(count) - count.begin());
+  }
+
+  /// Marks the faces whose boxes meet. Those of the largest component are not in the tree: they do
+  /// not meet each other. Faces that follow each other in a file mostly lie together: a run of them
+  /// that is far from the tree costs one query.
+  void mark() {
+    constexpr std::size_t kRun = 64;
+    const std::uint32_t largest = largest_component();
+    std::vector<Box> boxes;
+    std::vector<std::uint32_t> item;
+    for (std::uint32_t i = 0; i < near_.size(); ++i)
+      if (near_[i].component != largest) boxes.push_back(near_[i].box), item.push_back(i);
+    const BoxTree tree(boxes);
+    const auto mark_run = [&](std::size_t first, std::size_t last) {
+      Box run;
+      for (std::size_t i = first; i < last; ++i) run.add(near_[i].box);
+      bool any = false;
+      tree.overlapping(run, [&](std::uint32_t) { any = true; });
+      for (std::size_t i = first; any && i < last; ++i)
+        tree.overlapping(near_[i].box, [&](std::uint32_t j) {
+          if (!components_.joins.are_joined(near_[i].component, near_[item[j]].component)) return;
+          for (const std::size_t met : {i, std::size_t{item[j]}})
+            std::atomic_ref(meets_[met]).store(1, std::memory_order_relaxed);
+        });
+    };
+    for_blocks(near_.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; i += kRun) mark_run(i, std::min(last, i + kRun));
+    });
+  }
+
+  [[nodiscard]] std::vector<std::vector<ElementId>> found() const {
+    std::vector<std::vector<ElementId>> candidates(inputs_.size());
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      if (meets_[i]) candidates[near_[i].face.input].push_back(near_[i].face.element);
+    return candidates;
+  }
+
+  std::span<const Model* const> inputs_;
+  const Components& components_;
+  const SearchOptions& options_;
+  std::vector<Box> boxes_;  // by component; empty: of no face
+  BoxTree component_tree_;
+  std::vector<std::uint32_t> tree_component_;  // by box of the tree
+  std::vector<GrownFace> near_;                // by input, ascending
+  std::vector<std::uint8_t> meets_;            // by position in near_
+};
 
 }  // namespace
 
-std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs,
+std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs, const Components& components,
                                                     const SearchOptions& options) {
-  const std::size_t n = inputs.size();
-  std::vector<std::vector<ElementId>> candidates(n);
-  if (n < 2) return candidates;
-
-  // The largest input is passed over only once: it is cut to the boxes of the others, and they to
-  // what was then left of it.
-  const std::vector<std::size_t> order = by_size(inputs);
-  std::vector<Box> box(n);
-  for (std::size_t k = 1; k < n; ++k) box[order[k]] = box_of_faces(*inputs[order[k]], options);
-  std::vector<std::vector<GrownFace>> near(n);
-  for (const std::size_t k : order) {
-    std::vector<Box> others;
-    for (std::size_t other = 0; other < n; ++other)
-      if (other != k && !box[other].empty()) others.push_back(box[other]);
-    near[k] = faces_near(*inputs[k], others, options);
-    box[k] = Box{};
-    for (const GrownFace& f : near[k]) box[k].add(f.box);
-  }
-
-  std::vector<std::vector<std::uint8_t>> meets(n);
-  for (std::size_t k = 0; k < n; ++k) meets[k].resize(near[k].size());
-  for (std::size_t small = 1; small < n; ++small) {
-    const std::size_t s = order[small];
-    std::vector<Box> boxes;
-    boxes.reserve(near[s].size());
-    for (const GrownFace& f : near[s]) boxes.push_back(f.box);
-    const BoxTree tree(boxes);
-    for (std::size_t large = 0; large < small; ++large)
-      mark_meeting(near[order[large]], tree, meets[order[large]], meets[s]);
-  }
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < near[k].size(); ++i)
-      if (meets[k][i]) candidates[k].push_back(near[k][i].face);
-  return candidates;
+  if (components.size() < 2) return std::vector<std::vector<ElementId>>(inputs.size());
+  return Search(inputs, components, options).run();
 }
 
 }  // namespace meshgraft

@@ -1,9 +1,10 @@
-// Which faces can meet a face of another input (paper 5.1).
+// Which faces can meet a face of another component (paper 5.1).
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "core/components.hpp"
 #include "meshgraft/model.hpp"
 #include "meshgraft/options.hpp"
 
@@ -14,10 +15,11 @@ struct SearchOptions {
   Tolerance tolerance;      // boxes grow by this instead, if larger
 };
 
-/// The faces of each input whose grown box meets the grown box of a face of another input,
-/// ascending. One linear pass over every input, then a hierarchy over what is left; cost linear in
-/// the faces plus n log n in the faces near another input's box.
+/// By input the faces whose grown box meets the grown box of a face of a component that theirs is
+/// joined to, ascending. One linear pass over every input, then a hierarchy over what is left; cost
+/// linear in the faces plus n log n in the faces near another component's box.
 [[nodiscard]] std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs,
+                                                                  const Components& components,
                                                                   const SearchOptions& options);
 
 }  // namespace meshgraft

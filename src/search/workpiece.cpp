@@ -154,10 +154,12 @@ class Translation {
 /// Adds one input to the complex.
 class Cutter {
  public:
-  Cutter(Complex& complex, const Model& model, std::uint32_t input, Translation translation)
+  Cutter(Complex& complex, const Model& model, std::uint32_t input, const Components& components,
+         Translation translation)
       : complex_(complex),
         model_(model),
         input_(input),
+        components_(components),
         translation_(std::move(translation)),
         taken_(model.n_nodes()) {}
 
@@ -207,7 +209,7 @@ class Cutter {
     const auto nodes = model_.nodes_of(e);
     complex_.face.push_back({vertex(nodes[0]), vertex(nodes[1]), vertex(nodes[2])});
     complex_.parent.push_back({input_, e});
-    complex_.component.push_back(input_);
+    complex_.component.push_back(components_.of({input_, e}));
     complex_.face_groups.push_back(translation_.groups(model_.element_groups[e.value]));
     complex_.face_attributes.push_back(translation_.attributes(model_.element_attributes[e.value]));
   }
@@ -261,6 +263,7 @@ class Cutter {
   Complex& complex_;
   const Model& model_;
   std::uint32_t input_;
+  const Components& components_;
   Translation translation_;
   Bits taken_;  // nodes that become vertices
   std::size_t first_vertex_ = 0;
@@ -269,15 +272,16 @@ class Cutter {
 
 }  // namespace
 
-Complex workpiece(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
+Complex workpiece(std::span<const Model* const> inputs, const Components& components,
+                  std::span<const std::vector<ElementId>> candidates,
                   std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                   const WorkpieceOptions& options) {
   const Region region = region_around(inputs, candidates, options);
   Complex complex;
+  complex.joins = components.joins;
   AttributesTable table;
-  for (std::size_t k = 0; k < inputs.size(); ++k)
-    Cutter(complex, *inputs[k], static_cast<std::uint32_t>(k),
-           Translation(*inputs[k], groups_of_input[k], merged_sets, table))
+  for (const std::uint32_t k : components.input_order)
+    Cutter(complex, *inputs[k], k, components, Translation(*inputs[k], groups_of_input[k], merged_sets, table))
         .cut(region);
   return complex;
 }

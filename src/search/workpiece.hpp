@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "core/components.hpp"
 #include "meshgraft/graft.hpp"
 #include "meshgraft/model.hpp"
 
@@ -23,13 +24,14 @@ struct WorkpieceOptions {
 ///  (1) A vertex that is not kFrozen has all its faces and lines in the complex.
 ///  (2) Every face whose box comes within reach of a candidate is there, so that nothing near the
 ///      zone is overlooked.
-///  (3) component = input. Group sets are translated to merged groups.
+///  (3) Group sets are translated to merged groups. Vertices and faces stand in the order of
+///      Components::input_order, so that the order of the parts changes nothing.
 ///
 /// Nodes used by elements other than faces and lines, and orientation nodes, are kPinned.
 /// Cost: one linear pass over nodes and elements; memory beyond it proportional to the result.
 ///
 /// `groups_of_input[k][g]` is the merged group of group g of input k.
-[[nodiscard]] Complex workpiece(std::span<const Model* const> inputs,
+[[nodiscard]] Complex workpiece(std::span<const Model* const> inputs, const Components& components,
                                 std::span<const std::vector<ElementId>> candidates,
                                 std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                                 const WorkpieceOptions& options = {});

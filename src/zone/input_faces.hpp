@@ -27,13 +27,13 @@ class InputFaces {
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
 
-  /// Calls f(j) for every j of the same component with a vertex of i, with repeats.
+  /// Calls f(j) for every j of the same mesh with a vertex of i, with repeats.
   template <class F>
   void each_neighbour(std::uint32_t i, F&& f) const {
     for (const FaceId piece : pieces(i))
       for (const VertexId v : complex_.face[piece.value])
         for (const FaceId g : faces_at_[v])
-          if (complex_.component[g.value] == component(i)) f(of(g));
+          if (complex_.joins.mesh_of(complex_.component[g.value]) == complex_.joins.mesh_of(component(i))) f(of(g));
   }
 
   /// Number of the neighbourhood each is in: 1 for touched ones; 0 for those beyond `last`.

@@ -20,6 +20,7 @@ class HandMade {
   explicit HandMade(std::vector<Model> models)
       : models_(std::move(models)),
         inputs_(pointers(models_)),
+        components(one_for_each_input(inputs_.size())),
         table(group_table(inputs_)),
         translated(inputs_, table, graft.group_sets) {
     graft.groups = table.groups;
@@ -27,7 +28,7 @@ class HandMade {
     for (std::size_t k = 0; k < models_.size(); ++k)
       for (std::size_t e = 0; e < models_[k].n_elements(); ++e)
         if (models_[k].is_face(ElementId(e))) faces[k].emplace_back(e);
-    original = workpiece(inputs_, faces, table.of_input, graft.group_sets);
+    original = workpiece(inputs_, components, faces, table.of_input, graft.group_sets);
     corefined.complex = original;
     final_complex = original;
   }
@@ -73,7 +74,7 @@ class HandMade {
   }
 
   [[nodiscard]] Outcome outcome() const {
-    return {inputs_, original, corefined, final_complex, stitched, graft, labels, dropped};
+    return {inputs_, components, original, corefined, final_complex, stitched, graft, labels, dropped};
   }
 
   [[nodiscard]] Model result() const { return apply(models_[0], parts(), Merged{graft, labels, {}}); }
@@ -89,6 +90,7 @@ class HandMade {
   std::vector<const Model*> inputs_;
 
  public:
+  Components components;
   Graft graft;
   GroupTable table;
   SetTranslation translated;

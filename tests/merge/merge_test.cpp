@@ -274,9 +274,8 @@ TEST(Merge, PartsApartAreAnErrorUnlessAllowed) {
   EXPECT_EQ(apply(base, std::vector{parts[1]}, alone).n_elements(), base.n_elements() + parts[1].n_elements());
 }
 
-TEST(Merge, NoPartAndPartsWithoutFacesAreRefused) {
+TEST(Merge, PartsWithoutFacesAreRefused) {
   const Model base = wall();
-  EXPECT_EQ(merge(base, {}).error().code, ErrorCode::kUsage);
   ModelBuilder b;
   b.add_line(b.add_node({0, 0, 0}), b.add_node({1, 0, 0}));
   EXPECT_EQ(merge(base, std::vector{b.build()}).error().code, ErrorCode::kNoFaces);

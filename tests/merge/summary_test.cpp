@@ -12,6 +12,8 @@
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kInputs = 3;
+
 /// Vertices on given places, each edge carrying faces of the given inputs.
 struct Net {
   Complex complex;
@@ -25,7 +27,7 @@ struct Net {
   }
   std::vector<PolylineSummary> lines() {
     std::ranges::sort(junction.edges, {}, &JunctionEdge::ends);
-    return polylines_of(complex, junction);
+    return polylines_of(complex, junction, one_for_each_input(kInputs));
   }
 };
 
@@ -94,12 +96,12 @@ TEST(JunctionSummary, TheFacesOnALineTellCrossingFromTouching) {
   Fan t;  // two faces of the base on the edge, and one of the part
   t.add(0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), t.add(0, {0, 0, 0}, {1, 0, 0}, {0, -1, 0});
   t.add(1, {0, 0, 0}, {1, 0, 0}, {0, 0, 1});
-  auto lines = polylines_of(t.complex, junction_of(t.complex));
+  auto lines = polylines_of(t.complex, junction_of(t.complex), one_for_each_input(kInputs));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].kind, "touching");
   EXPECT_EQ(lines[0].inputs, (std::vector<std::uint32_t>{0, 1}));
   t.add(1, {0, 0, 0}, {1, 0, 0}, {0, 0, -1});
-  lines = polylines_of(t.complex, junction_of(t.complex));
+  lines = polylines_of(t.complex, junction_of(t.complex), one_for_each_input(kInputs));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].kind, "crossing");
 }
@@ -107,7 +109,7 @@ TEST(JunctionSummary, TheFacesOnALineTellCrossingFromTouching) {
 TEST(JunctionSummary, ANodeWhereMeshesMeetWithoutALineIsAPoint) {
   Fan t;
   t.add(0, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}), t.add(1, {0, 0, 0}, {1, 0, 1}, {0, 1, 1});
-  const auto lines = polylines_of(t.complex, junction_of(t.complex));
+  const auto lines = polylines_of(t.complex, junction_of(t.complex), one_for_each_input(kInputs));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].kind, "point");
   EXPECT_EQ(lines[0].nodes, 1u);
@@ -118,7 +120,7 @@ TEST(ReportJson, ParsesAndHoldsEveryField) {
   Report r;
   r.version = "1";
   r.inputs.push_back({"caf\xe9.unv", "abc", 1, 2, 3, {{"triangle", 3}}, 1});  // Latin-1, not UTF-8
-  r.junction.push_back({"crossing", true, 2.5, 10, 2, {0, 1}});
+  r.junction.push_back({"crossing", true, 2.5, 10, 2, {0, 1}, {}});
   r.quality.worst.push_back({0.4, {1, 2, 3}, 57, "input angle of 9 degrees"});
   r.groups.push_back({"A \"quoted\"\n", "faces", 1, 2, 1.0 / 3, 0.25, 0, 0, "untouched"});
   r.labels.push_back({1, "node", 5, 100'005});
@@ -138,15 +140,14 @@ TEST(ReportJson, ParsesAndHoldsEveryField) {
   EXPECT_EQ(json["timings"]["search"], 0.5);
   EXPECT_EQ(json["broken_promises"][0]["name"], "promise-broken");
   EXPECT_EQ(json["warnings"][0]["place"]["line"], 3);
-  for (const char* field : {"version", "inputs", "junction", "zone", "quality", "fidelity", "groups", "untouched",
-                            "labels", "removed_nodes", "removed_elements", "moved", "datasets", "timings",
+  for (const char* field : {"version", "inputs", "components", "junction", "zone", "quality", "fidelity", "groups",
+                            "untouched", "labels", "removed_nodes", "removed_elements", "moved", "datasets", "timings",
                             "peak_memory_bytes", "warnings", "broken_promises"})
     EXPECT_TRUE(json.contains(field)) << field;
 }
 
 TEST(Faults, PartsJoinedThroughOtherPartsAreNotApart) {
-  const Model m;
-  const std::array<const Model*, 4> inputs{&m, &m, &m, &m};
+  const Components inputs = one_for_each_input(4);
   using Pair = std::array<std::uint32_t, 2>;
   EXPECT_TRUE(parts_apart(inputs, std::vector<Pair>{{0, 3}, {1, 2}, {2, 3}}).empty());
   EXPECT_EQ(parts_apart(inputs, std::vector<Pair>{{0, 3}, {1, 2}}), (std::vector<std::uint32_t>{1, 2}));

@@ -153,6 +153,20 @@ void add_many(std::vector<Merge>& all) {
   crossing.parts.push_back(staggered_plate({0.91, 0.4, 0}, {0, 1.2, 0}, {0, 0, 0.35}, 0.09, "SECOND", kIrregular));
   all.push_back(crossing);
 
+  Merge grid = merge_of("grid_3_by_3", wall(), stiffener(0.23, 1.77, 0.41, 0, 0.3), kGraded);
+  for (const double y : {0.97, 1.53}) grid.parts.push_back(stiffener(0.23, 1.77, y, 0, 0.3));
+  for (const double x : {0.43, 1.02, 1.57})
+    grid.parts.push_back(staggered_plate({x, 0.21, 0}, {0, 1.6, 0}, {0, 0, 0.3}, kSize, "ACROSS", kIrregular));
+  all.push_back(grid);
+
+  Merge point = merge_of("three_through_a_point", wall(), stiffener(0.33, 1.61, 0.9, 0.31, 0.43));
+  point.parts.push_back(staggered_plate({0.9, 0.4, -0.2}, {0, 1.2, 0}, {0, 0, 0.6}, 0.09, "SECOND", kIrregular));
+  all.push_back(point);
+
+  Merge brace = merge_of("on_the_joint_of_two", wall(), stiffener(0.33, 1.61, 0.97, 0, 0.43));
+  brace.parts.push_back(staggered_plate({0.51, 0.97, 0}, {0.9, 0, 0}, {0, 0.3, 0.3}, kSize, "BRACE", kIrregular));
+  all.push_back(brace);
+
   Merge miss = merge_of("miss", wall(), moved(stiffener(0.33, 1.61, 0.97, 0, 0.43), [](Vec3 p) {
                           return p + Vec3{0, 0, 1};
                         }));
