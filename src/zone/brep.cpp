@@ -112,7 +112,20 @@ class Reader {
     if (degree != 0 && !degree_.passes(v, curves_)) return true;
     // A curve that passes has one fan on each of its sides; more is a point where surfaces touch.
     const std::size_t sides = degree == 0 ? 1 : edges_.uses(degree_.around[v.value][0]).size();
-    return fans_.count(v, faces) != sides || is_explicit(v);
+    return fans_.count(v, faces) != sides || bends_lines(v) || is_explicit(v);
+  }
+
+  /// Whether 1D elements meet here at an angle: each is straight, so their bends are nodes.
+  [[nodiscard]] bool bends_lines(VertexId v) const {
+    if (degree_.count[v.value] != 2) return false;
+    const auto& [e, f] = degree_.around[v.value];
+    if (curves_.lines_of(e).empty()) return false;
+    const auto far = [&](EdgeId edge) {
+      const auto [a, b] = edges_.ends(edge);
+      return complex_.position[(a == v ? b : a).value];
+    };
+    const Vec3 at = complex_.position[v.value], in = at - far(e), out = far(f) - at;
+    return std::atan2(norm(cross(in, out)), dot(in, out)) > options_.line_turn_angle;
   }
 
   /// Whether a node group names this vertex for its own sake (see read_brep).

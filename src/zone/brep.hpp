@@ -49,8 +49,9 @@ struct Brep {
 };
 
 struct BrepOptions {
-  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;  // radians; edges folded more are curves
-  double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;   // radians; sharper turns of a curve are corners (5.3)
+  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;     // radians; edges folded more are curves
+  double line_turn_angle = 1.0 / 180.0 * 3.14159265358979323846;  // the same for curves that carry 1D elements
+  double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;      // radians; sharper turns of a curve are corners (5.3)
 };
 
 /// Curves are: junction edges, free edges, non-manifold edges, sharp edges, edges between faces of
@@ -58,9 +59,9 @@ struct BrepOptions {
 /// is fixed, or has a kFrozen end, is a curve of its own.
 ///
 /// Corners are: vertices where other than two curve edges meet or where the two differ in what
-/// they bound or carry; sharp turns; kPinned and kFrozen vertices; junction points; ends of fixed edges and of
-/// 1D elements that lie on no face edge; vertices in which surfaces touch without an edge; vertices with
-/// explicit node groups: one that neither all vertices of all faces around have (the group covers an area) nor
+/// they bound or carry; sharp turns; bends between 1D elements; kPinned and kFrozen vertices; junction points; ends of
+/// fixed edges and of 1D elements that lie on no face edge; vertices in which surfaces touch without an edge; vertices
+/// with explicit node groups: one that neither all vertices of all faces around have (the group covers an area) nor
 /// both neighbours on the curve (it goes on along a line), each component taken by itself. Corners may lie
 /// inside a sheet.
 ///

@@ -157,6 +157,31 @@ TEST(Brep, ASheetStaysPlaneWhoseBorderWasPulledALittle) {
   EXPECT_FALSE(read(j).sheets[0].planar) << "its inside tells the plane";
 }
 
+TEST(Brep, BendsOfBeamsAreCorners) {
+  // The lower rim is an arc that turns by 5 degrees at each node: too little for a corner by itself.
+  Joined j = joined(std::array{plate()});
+  for (std::size_t v = 0; v < j.complex.n_vertices(); ++v) {
+    Vec3& p = j.complex.position[v];
+    if (p.y == 0) p.y = 0.5 * std::pow(p.x - 2, 2) * std::tan(5 * std::numbers::pi / 180) - 1;
+  }
+  const auto corners_on_rim = [&] {
+    const Brep brep = read(j);
+    std::size_t n = 0;
+    for (std::size_t v = 0; v < j.complex.n_vertices(); ++v)
+      n += j.complex.position[v].y < 0 && brep.dimension[v] == Dimension::kCorner;
+    return n;
+  };
+  const std::size_t before = corners_on_rim();
+  std::vector<VertexId> rim;
+  for (std::size_t v = 0; v < j.complex.n_vertices(); ++v)
+    if (j.complex.position[v].y < 0) rim.emplace_back(v);
+  std::ranges::sort(rim, {}, [&](VertexId v) { return j.complex.position[v.value].x; });
+  for (std::size_t k = 1; k < rim.size(); ++k)
+    j.complex.lines.push_back({{rim[k - 1], rim[k]}, {}, GroupSets::kEmpty, {}});
+  EXPECT_EQ(before, 2u);
+  EXPECT_EQ(corners_on_rim(), rim.size());
+}
+
 TEST(Brep, LoneGroupNodeStays) {
   Model m = plate();
   Joined j = joined(std::array{m});
