@@ -12,7 +12,7 @@ namespace meshgraft {
 
 struct LedgerOptions {
   /// Change of area or length of a group that the remeshing of curved surfaces may bring about.
-  double max_change = 0.01;
+  double max_change = 0.02;
 };
 
 struct Ledger {
