@@ -1,7 +1,11 @@
 # One static library per folder of src/. A folder sees the headers of the folders it depends on and
 # of no other: each library exports only a directory that holds a link to its own folder.
 
+include(GNUInstallDirs)
+
 add_library(meshgraft_options INTERFACE)
+set_target_properties(meshgraft_options PROPERTIES EXPORT_NAME options)
+install(TARGETS meshgraft_options EXPORT meshgraft-targets)
 target_compile_options(meshgraft_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
   -ffp-contract=off)  # fused operations would make results depend on the machine
@@ -19,10 +23,14 @@ function(meshgraft_module folder)
   file(MAKE_DIRECTORY ${arrows})
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/src/${folder} ${arrows}/${folder} SYMBOLIC)
   add_library(meshgraft_${folder} STATIC ${arg_SOURCES})
-  target_include_directories(meshgraft_${folder} PUBLIC ${PROJECT_SOURCE_DIR}/include ${arrows})
+  target_include_directories(meshgraft_${folder} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${arrows}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   list(TRANSFORM arg_DEPENDS PREPEND meshgraft_)
   target_link_libraries(meshgraft_${folder} PUBLIC ${arg_DEPENDS} ${arg_LIBRARIES}
     PRIVATE meshgraft_options ${arg_PRIVATE})
+  set_target_properties(meshgraft_${folder} PROPERTIES EXPORT_NAME ${folder})
+  install(TARGETS meshgraft_${folder} EXPORT meshgraft-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 
 # meshgraft_test(name SOURCES a.cpp ... DEPENDS folder ...): one program of GoogleTest tests.
