@@ -173,15 +173,22 @@ Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const 
 }
 
 Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<ElementId>> candidates,
-                               const CompatibilityLimits& limits) {
+                               const MergeOptions& options, const CompatibilityLimits& limits) {
+  std::vector<double> edge;  // mean length, by input
+  for (std::size_t k = 0; k < inputs.size(); ++k) edge.push_back(extent_of(*inputs[k], candidates[k]).mean_edge);
   for (std::size_t k = 1; k < inputs.size(); ++k) {
-    const Extent a = extent_of(*inputs[0], candidates[0]), b = extent_of(*inputs[k], candidates[k]);
-    if (ratio(a.mean_edge, b.mean_edge) < limits.max_size_ratio) continue;
+    if (ratio(edge[0], edge[k]) < limits.max_size_ratio) continue;
     return failure(ErrorCode::kScaleMismatch,
-                   "where " + inputs[k]->path + " meets " + inputs[0]->path + ", edges of " + text_of(b.mean_edge) +
-                       " meet edges of " + text_of(a.mean_edge),
+                   "where " + inputs[k]->path + " meets " + inputs[0]->path + ", edges of " + text_of(edge[k]) +
+                       " meet edges of " + text_of(edge[0]),
                    std::string(kCheckUnits) + ", or refine the coarser mesh there", {inputs[k]->path, 0});
   }
+  const auto is_apart = [&](double length) { return ratio(*options.size, length) >= limits.max_size_ratio; };
+  if (options.size && std::ranges::all_of(edge, is_apart))
+    return failure(ErrorCode::kUsage,
+                   "edge length of " + text_of(*options.size) + " along the junction, where edges are " +
+                       text_of(*std::ranges::min_element(edge)) + " long",
+                   "give a length nearer to that, in the unit of the files");
   return {};
 }
 

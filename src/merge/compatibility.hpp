@@ -22,8 +22,9 @@ struct CompatibilityLimits {
 [[nodiscard]] Result<void> check_compatible(Inputs inputs, const MergeOptions& options,
                                             const CompatibilityLimits& limits = {});
 
-/// kScaleMismatch if the meshes differ too much where they meet. `candidates`: faces by input.
+/// kScaleMismatch if the meshes differ too much where they meet, kUsage if a wanted edge length differs
+/// as much from those of each: a far smaller one would take all memory. `candidates`: faces by input.
 [[nodiscard]] Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<ElementId>> candidates,
-                                             const CompatibilityLimits& limits = {});
+                                             const MergeOptions& options, const CompatibilityLimits& limits = {});
 
 }  // namespace meshgraft

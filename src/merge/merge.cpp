@@ -60,7 +60,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   if (!components) return Failure(components.error());
   if (components->are_parted()) report.components = summaries_of(inputs, *components);
   const auto candidates = candidate_faces(inputs, *components, search_options);
-  if (const auto ok = check_local_scale(inputs, candidates); !ok) return Failure(ok.error());
+  if (const auto ok = check_local_scale(inputs, candidates, options); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
   if (options.trim) workpiece_options.least = *options.trim;

@@ -132,9 +132,28 @@ TEST(Compatibility, EdgesTwoHundredTimesApartWhereTheyMeetAreRefused) {
   std::vector<std::vector<ElementId>> all(2);
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t e = 0; e < inputs[k]->n_elements(); ++e) all[k].emplace_back(e);
-  const auto result = check_local_scale(inputs, all);
+  const auto result = check_local_scale(inputs, all, {});
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::kScaleMismatch);
+}
+
+TEST(Compatibility, AnEdgeLengthTwoHundredTimesApartFromThoseOfBothMeshesIsRefused) {
+  const Model coarse = scenes::plate({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 2), fine = plate(0.1);
+  const std::array<const Model*, 2> inputs{&coarse, &fine};
+  std::vector<std::vector<ElementId>> all(2);
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t e = 0; e < inputs[k]->n_elements(); ++e) all[k].emplace_back(e);
+  const auto accepts = [&](double size) {
+    MergeOptions options;
+    options.size = size;
+    const auto result = check_local_scale(inputs, all, options);
+    if (!result) {
+      EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+    }
+    return result.has_value();
+  };
+  EXPECT_TRUE(accepts(0.001) && accepts(1) && accepts(300));
+  EXPECT_FALSE(accepts(1e-9) || accepts(1e-4) || accepts(1000));
 }
 
 TEST(Compatibility, ACoordinateThatIsNoNumberIsFoundWithItsNode) {
