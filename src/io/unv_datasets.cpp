@@ -16,25 +16,45 @@ constexpr std::size_t kNumberColumns = 6;
 constexpr std::size_t kScanPiece = std::size_t{4} << 20;  // bytes looked through by one task
 constexpr std::int64_t kLargestDataset = 99'999;
 
+/// First offset >= `at` and < `last` at which `pattern` begins, or `last`. The last two characters of a
+/// delimiter, and the end of the line before it, are rare together: blocks are passed over by these alone, which
+/// compilers turn into vector code, several times as fast as going from line to line.
+std::size_t find_rare(std::string_view text, std::string_view pattern, std::size_t at, std::size_t last) {
+  constexpr std::size_t kBlock = 256;
+  const std::size_t n = pattern.size();
+  const char front = pattern.front(), next_to_last = pattern[n - 2], back = pattern.back();
+  const std::size_t end = std::min(last, text.size() >= n ? text.size() - n + 1 : 0);
+  for (; at + kBlock <= end; at += kBlock) {
+    const char* begin = text.data() + at;
+    unsigned char any = 0;
+    for (std::size_t k = 0; k < kBlock; ++k)
+      any = static_cast<unsigned char>(any | static_cast<unsigned char>((begin[k] == front) &
+                                                                        (begin[k + n - 2] == next_to_last) &
+                                                                        (begin[k + n - 1] == back)));
+    if (any == 0) continue;
+    for (std::size_t k = 0; k < kBlock; ++k)
+      if (text.compare(at + k, n, pattern) == 0) return at + k;
+  }
+  for (; at < end; ++at)
+    if (text.compare(at, n, pattern) == 0) return at;
+  return last;
+}
+
 /// Offsets of all lines that are delimiters, ascending. Inside binary data these may be false.
 std::vector<std::size_t> delimiter_lines(const Document& d) {
   const std::string_view text = d.lines.text;
   const std::string_view start = d.delimiter.empty() ? std::string_view("    -1") : std::string_view(d.delimiter);
+  const std::string pattern = d.lines.terminator + std::string(start);
   const std::size_t n = (text.size() + kScanPiece - 1) / kScanPiece;
   std::vector<std::vector<std::size_t>> found(n);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t piece) {
-    // A piece owns the lines that begin in it.
-    std::size_t at = std::max(piece * kScanPiece, d.first);
+    // A piece owns the line ends in it, and the lines that follow them.
+    const std::size_t begin = std::max(piece * kScanPiece, d.first);
     const std::size_t last = std::min((piece + 1) * kScanPiece, text.size());
-    if (piece > 0) at = d.lines.at(at - 1).next;
-    while (at < last) {
-      if (at + start.size() <= text.size() && text[at + start.size() - 1] == start.back() &&
-          text.compare(at, start.size(), start) == 0 && d.is_delimiter(d.lines.at(at)))
-        found[piece].push_back(at);
-      const void* end = std::memchr(text.data() + at, d.lines.terminator, text.size() - at);
-      if (end == nullptr) break;
-      at = static_cast<std::size_t>(static_cast<const char*>(end) - text.data()) + 1;
-    }
+    if (piece == 0 && text.substr(d.first).starts_with(start) && d.is_delimiter(d.lines.at(d.first)))
+      found[piece].push_back(d.first);
+    for (std::size_t at = find_rare(text, pattern, begin, last); at < last; at = find_rare(text, pattern, at + 1, last))
+      if (d.is_delimiter(d.lines.at(at + 1))) found[piece].push_back(at + 1);
   });
   std::vector<std::size_t> all;
   for (const auto& piece : found) all.insert(all.end(), piece.begin(), piece.end());

@@ -1,6 +1,10 @@
 #include "io/unv_document.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <numeric>
 
 namespace meshgraft::unv {
 namespace {
@@ -78,11 +82,14 @@ void Document::find_line_ends() {
 
 std::uint64_t Document::line_of(std::uint64_t offset) const {
   std::call_once(counted_, [this] {
-    std::uint64_t before = 0;
-    for (std::size_t begin = 0; begin < text_.size(); begin += kBlock) {
-      lines_before_.push_back(before);
-      before += count_of(lines.terminator, text_.substr(begin, kBlock));
-    }
+    lines_before_.resize((text_.size() + kBlock - 1) / kBlock);
+    // Isolated: a task taken up meanwhile could ask for a line, and wait here for itself.
+    tbb::this_task_arena::isolate([this] {
+      tbb::parallel_for(std::size_t{0}, lines_before_.size(), [this](std::size_t block) {
+        lines_before_[block] = count_of(lines.terminator, text_.substr(block * kBlock, kBlock));
+      });
+    });
+    std::exclusive_scan(lines_before_.begin(), lines_before_.end(), lines_before_.begin(), std::uint64_t{0});
   });
   offset = std::min<std::uint64_t>(offset, text_.size());
   if (lines_before_.empty()) return 1;
