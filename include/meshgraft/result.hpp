@@ -36,6 +36,7 @@ enum class ErrorCode {
   kNoFaces,              // no triangles to merge
   kPartsApart,           // a part meets nothing
   kOverlap,              // coplanar faces overlap; not handled by this mode
+  kNotSeparated,         // a tool does not cut all the way, or its sides cannot be told
   kUnsupportedElement,   // parts meet at elements that cannot be remeshed
   kJunctionNotResolved,  // the junction could not be made conforming
   kPromiseBroken,        // the result failed its own check

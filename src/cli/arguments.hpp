@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "meshgraft/cut.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
@@ -26,6 +27,14 @@ struct MergeArguments {
   std::string report;  // empty: none
   MergeOptions options;
   bool allow_poor = false;  // write although a promise is broken
+  Common common;
+};
+
+struct CutArguments {
+  MergeArguments mesh;    // base, output and zone; no parts
+  std::string tool_file;  // empty: `tool`
+  CutTool tool;
+  Drop drop;
   Common common;
 };
 
@@ -50,7 +59,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, MergeArguments, CheckArguments, InfoArguments, ConvertArguments>;
+using Command = std::variant<Answer, MergeArguments, CutArguments, CheckArguments, InfoArguments, ConvertArguments>;
 
 /// Understands the arguments after the program's name. Errors: kUsage, naming the value, what is
 /// allowed, and the nearest existing name where one was mistyped.

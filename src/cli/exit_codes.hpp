@@ -43,6 +43,7 @@ enum ExitCode : int {
     case ErrorCode::kScaleMismatch:
     case ErrorCode::kNoFaces:
     case ErrorCode::kOverlap:
+    case ErrorCode::kNotSeparated:
     case ErrorCode::kUnsupportedElement:
     case ErrorCode::kLabelOverflow:
       break;

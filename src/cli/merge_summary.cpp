@@ -73,6 +73,14 @@ std::string junction(const Report& report, const MergeArguments& arguments) {
   return text;
 }
 
+std::string dropped(const Report& report) {
+  double area = 0;
+  std::uint64_t faces = 0;
+  for (const DroppedEntry& d : report.dropped) area += d.area, faces += d.faces;
+  return fmt::format("{}, area {}, with {} or parts of them", counted(report.dropped.size(), "piece", "pieces"),
+                     figure(area), counted(faces, "triangle", "triangles"));
+}
+
 std::string zone(const Report& report, const MergeArguments& arguments) {
   std::string text = fmt::format("{} removed, {} created; nodes: {} removed, {} created",
                                  counted(report.zone.faces_removed, "triangle", "triangles"), report.zone.faces_created,
@@ -170,7 +178,9 @@ void print_details(const Report& report) {
 }  // namespace
 
 void print_summary(const Report& report, const MergeArguments& arguments, std::string_view written) {
-  print_line("parts met", junction(report, arguments));
+  const bool is_cut = std::ranges::find(report.dropped, "cut", &DroppedEntry::cause) != report.dropped.end();
+  print_line(is_cut ? "cut" : "parts met", junction(report, arguments));
+  if (!report.dropped.empty()) print_line("dropped", dropped(report));
   print_line("zone", zone(report, arguments));
   print_line("quality", quality(report, arguments));
   print_line("surface", surface(report));

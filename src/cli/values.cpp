@@ -54,6 +54,21 @@ Result<int> integer_in(const Typed& typed, int low, int high, std::string_view a
   return *value;
 }
 
+Result<std::vector<double>> numbers(const Typed& typed, std::size_t n, std::string_view allowed) {
+  std::vector<double> values;
+  std::string_view rest = typed.text;
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    more = comma != std::string_view::npos;
+    const auto value = parsed<double>(rest.substr(0, comma));
+    if (!value || !std::isfinite(*value)) return wrong_value(typed, "is not a list of numbers", allowed);
+    values.push_back(*value);
+    if (more) rest.remove_prefix(comma + 1);
+  }
+  if (values.size() != n) return wrong_value(typed, fmt::format("has {} numbers", values.size()), allowed);
+  return values;
+}
+
 Result<Tolerance> tolerance(const Typed& typed) {
   constexpr std::string_view kAllowed =
       "a length in the unit of the file, as in 0.5, or a share of the local edge length, as in 1%; 0 or more";

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
@@ -30,6 +31,9 @@ struct Range {
 [[nodiscard]] Result<double> number_in(const Typed& typed, const Range& range);
 /// Errors (kUsage): not a whole number, outside [low, high].
 [[nodiscard]] Result<int> integer_in(const Typed& typed, int low, int high, std::string_view allowed);
+
+/// `n` numbers with commas between them.
+[[nodiscard]] Result<std::vector<double>> numbers(const Typed& typed, std::size_t n, std::string_view allowed);
 
 /// `LEN` in file units, or `N%` of the local edge length; not negative.
 [[nodiscard]] Result<Tolerance> tolerance(const Typed& typed);

@@ -42,6 +42,8 @@ const char* name(ErrorCode code) {
       return "parts-apart";
     case ErrorCode::kOverlap:
       return "overlap";
+    case ErrorCode::kNotSeparated:
+      return "not-separated";
     case ErrorCode::kUnsupportedElement:
       return "unsupported-element";
     case ErrorCode::kJunctionNotResolved:

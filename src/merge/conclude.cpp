@@ -9,6 +9,7 @@
 #include "merge/node_groups.hpp"
 #include "merge/outcome.hpp"
 #include "merge/quality_summary.hpp"
+#include "merge/removal.hpp"
 #include "merge/report_summary.hpp"
 #include "merge/result_check.hpp"
 #include "merge/stitch.hpp"
@@ -60,6 +61,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
 
   watch.start("stitch", 0.8);
   const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
+  remove_elements(inputs, dropped.elements, graft);
   assign_node_groups(inputs, translated, final_complex, stitched, graft);
   Result<Labels> labels = labels_of(inputs, graft);
   if (!labels) return Failure(labels.error());

@@ -42,8 +42,8 @@ void add(std::vector<double>& to, double amount, GroupSetId set, const GroupSets
   for (const GroupId g : sets.members(set)) to[g.value] += amount, dropped.touched[g.value] = 1;
 }
 
-bool is_bare(const std::vector<Edge>& bare, const Complex::Line& line) {
-  const auto [low, high] = std::minmax(line.ends[0], line.ends[1]);
+bool is_bare(const std::vector<Edge>& bare, const Edge& ends) {
+  const auto [low, high] = std::minmax(ends[0], ends[1]);
   return std::ranges::binary_search(bare, Edge{low, high});
 }
 
@@ -78,14 +78,19 @@ void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, cons
   Complex& complex = corefined.complex;
   dropped.area.resize(n_groups), dropped.length.resize(n_groups), dropped.touched.resize(n_groups);
   const std::vector<Edge> bare = note_edges(complex, marked, dropped);
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (marked[f] != 0) add(dropped.area, area(complex.corners(FaceId(f))), complex.face_groups[f], sets, dropped);
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    if (marked[f] == 0) continue;
+    add(dropped.area, area(complex.corners(FaceId(f))), complex.face_groups[f], sets, dropped);
+    for (const VertexId v : complex.face[f])
+      for (const GroupId g : sets.members(complex.vertex_groups[v.value])) dropped.touched[g.value] = 1;
+  }
   std::erase_if(complex.lines, [&](const Complex::Line& line) {
-    if (!is_bare(bare, line)) return false;
+    if (!is_bare(bare, line.ends)) return false;
     const double length = distance(complex.position[line.ends[0].value], complex.position[line.ends[1].value]);
     add(dropped.length, length, line.groups, sets, dropped);
     return true;
   });
+  std::erase_if(complex.fixed_edges, [&](const Edge& edge) { return is_bare(bare, edge); });
   keep(complex.face, marked), keep(complex.parent, marked), keep(complex.component, marked);
   keep(complex.face_groups, marked), keep(complex.face_attributes, marked), keep(corefined.touched, marked);
   corefined.junction_edges.clear(), corefined.junction_points.clear(), corefined.met.clear();

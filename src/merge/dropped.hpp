@@ -23,7 +23,11 @@ struct Dropped {
   [[nodiscard]] bool touches(GroupId g) const { return touched.size() > g.value && touched[g.value] != 0; }
   [[nodiscard]] double area_of(GroupId g) const { return area.size() > g.value ? area[g.value] : 0; }
   [[nodiscard]] double length_of(GroupId g) const { return length.size() > g.value ? length[g.value] : 0; }
-  std::vector<std::uint8_t> touched;  // by merged group: 1 if a member went
+  std::vector<std::uint8_t> touched;  // by merged group: 1 if a member went or lost a face around it
+  /// By input, ascending: whole elements that went and are neither faces of the complex nor lines on
+  /// their edges. The amounts above are without them.
+  std::vector<std::vector<ElementId>> elements;
+  double slack = 0;  // area between curved borders and their chords, by which amounts may differ
 };
 
 /// By face: the piece it is in, named after its smallest face. Faces that share an edge are in one piece,

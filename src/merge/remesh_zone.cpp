@@ -83,7 +83,9 @@ struct Attempt {
 RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, GroupSets& groups,
                          const MergeOptions& options, const WidenLimits& limits) {
   const Complex& complex = corefined.complex;
-  const Brep brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups);
+  BrepOptions brep_options;
+  brep_options.original = &original;
+  const Brep brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups, brep_options);
   SizeOptions size_options;
   size_options.junction_size = options.size;
   const SizeField size(original, complex, brep, size_options);

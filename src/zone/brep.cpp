@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "geometry/quality.hpp"
 #include "zone/chains.hpp"
 #include "zone/curve_edges.hpp"
 #include "zone/edge_table.hpp"
+#include "zone/original_faces.hpp"
 #include "zone/parents.hpp"
 
 namespace meshgraft {
@@ -78,6 +80,7 @@ class Reader {
         fans_(complex, edges_, curves_),
         corner_(complex.n_vertices(), 0) {
     for (const VertexId v : junction_points) corner_[v.value] = 1;
+    if (options.original != nullptr) originals_.emplace(*options.original);
   }
 
   Brep read() {
@@ -170,13 +173,19 @@ class Reader {
     return std::atan2(norm(cross(m, n)), dot(m, n)) > options_.sharp_angle;
   }
 
+  /// Of the parent of a face.
+  [[nodiscard]] double input_edge_length(FaceId f) const {
+    const FaceId parent = originals_ ? originals_->find(complex_.parent[f.value]) : FaceId();
+    return edge_length_of_area(parent.valid() ? area(options_.original->corners(parent))
+                                              : norm(area_vector_[parents_.of_face[f.value]]));
+  }
+
   void mark_sharp_turns() {
     std::vector<double> reach(complex_.n_vertices(), 0);
     for (std::size_t v = 0; v < reach.size(); ++v) {
       if (degree_.count[v] != 2) continue;
       double least = std::numeric_limits<double>::infinity();
-      for (const FaceId f : faces_at_[VertexId(v)])
-        least = std::min(least, edge_length_of_area(norm(area_vector_[parents_.of_face[f.value]])));
+      for (const FaceId f : faces_at_[VertexId(v)]) least = std::min(least, input_edge_length(f));
       reach[v] = kTurnReach * least;
     }
     for (const Chain& chain : chains(edges_, curves_, degree_, corner_))
@@ -271,6 +280,7 @@ class Reader {
   CurveDegree degree_;
   Fans fans_;
   std::vector<std::uint8_t> corner_;  // by vertex
+  std::optional<OriginalFaces> originals_;
 };
 
 }  // namespace

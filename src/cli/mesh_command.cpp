@@ -1,0 +1,107 @@
+#include "cli/mesh_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/commands.hpp"
+#include "cli/formats.hpp"
+#include "cli/merge_outputs.hpp"
+#include "cli/merge_summary.hpp"
+#include "cli/print.hpp"
+#include "cli/progress.hpp"
+#include "io/digest.hpp"
+#include "meshgraft/unv.hpp"
+
+namespace meshgraft::cli {
+namespace {
+
+// Shares of the progress line.
+constexpr double kReadShare = 0.3, kWorkShare = 0.6;
+
+Result<void> check_files(const MeshCommand& command, const MergeArguments& arguments) {
+  std::vector<NamedFile> outputs{{"-o", arguments.output}};
+  outputs.push_back({"the side file of -o", arguments.output + ".carry"});
+  if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
+  if (const auto known = writable_format(arguments.output); !known) return known;
+  return check_outputs(command.inputs, outputs);
+}
+
+Result<std::vector<Model>> read(const MeshCommand& command, const Common& common, const Stopwatch::Progress& show) {
+  const ReadOptions options{.threads = common.threads};
+  std::vector<Model> inputs;
+  for (const NamedFile& file : command.inputs) {
+    show("reading " + printable(file.path), inputs.empty() ? 0 : kReadShare);
+    auto model = read_unv(file.path, options);
+    if (!model) return Failure(model.error());
+    inputs.push_back(std::move(*model));
+  }
+  return inputs;
+}
+
+/// What the work cannot know: the digests, and the time before it. Digests cost a pass over all bytes.
+void complete(Report& report, std::span<const Model> inputs, const MergeArguments& arguments, const Stopwatch& watch) {
+  report.timings.insert(report.timings.begin(), watch.timings().begin(), watch.timings().end());
+  if (arguments.report.empty()) return;
+  report.inputs.clear();
+  for (const Model& model : inputs) report.inputs.push_back(input_summary(model));
+}
+
+bool parts_apart(const Report& report) {
+  return std::ranges::find(report.warnings, name(ErrorCode::kPartsApart), &Warning::name) != report.warnings.end();
+}
+
+/// Writes, or says why not.
+///   returns   the last line of the summary
+Result<std::string> write(const MergeArguments& arguments, const MeshCommand& command, std::span<const Model> inputs,
+                          Merged& merged) {
+  const std::vector<Error>& broken = merged.report.broken_promises;
+  if (!broken.empty() && !arguments.allow_poor) {
+    const auto done = write_report(arguments, merged.report);
+    if (!done) return Failure(done.error());
+    return fmt::format("nothing: {} not met; --allow-poor writes the mesh all the same",
+                       broken.size() == 1 ? "a promise is" : fmt::format("{} promises are", broken.size()));
+  }
+  const auto done = write_outputs(arguments, inputs.front(), inputs.subspan(1, command.n_parts), merged);
+  if (!done) return Failure(done.error());
+  return printable(arguments.output);
+}
+
+}  // namespace
+
+ExitCode run(const MeshCommand& command, const MergeArguments& arguments) {
+  if (const auto good = check_files(command, arguments); !good) return failed(good.error());
+  const bool quiet = arguments.common.talk == Talk::kQuiet;
+  Progress progress(!quiet);
+  const Stopwatch::Progress show = [&](std::string_view stage, double done) { progress.show(stage, done); };
+  Stopwatch watch(show);
+  watch.start("read", 0);
+  const auto inputs = read(command, arguments.common, show);
+  watch.stop();
+  progress.clear();
+  if (!inputs) return failed(inputs.error());
+
+  auto merged =
+      command.run(*inputs, [&](std::string_view stage, double done) { show(stage, kReadShare + kWorkShare * done); });
+  progress.clear();
+  if (!merged) {
+    for (const Model& model : *inputs) print_warnings(model.warnings, arguments.common.talk);
+    return failed(merged.error());
+  }
+  Report& report = merged->report;
+  print_warnings(report.warnings, arguments.common.talk);
+  for (const Error& promise : report.broken_promises) print_error(promise);
+  const std::size_t told = report.warnings.size();
+
+  show("writing " + printable(arguments.output), kReadShare + kWorkShare);
+  complete(report, *inputs, arguments, watch);
+  const auto written = write(arguments, command, *inputs, *merged);
+  progress.clear();
+  if (!written) return failed(written.error());
+  print_warnings(std::span(report.warnings).subspan(told), arguments.common.talk);
+  if (!quiet) print_summary(report, arguments, *written);
+  if (!report.broken_promises.empty()) return kPromiseNotMet;
+  return parts_apart(report) ? kPartsDoNotMeet : kDone;
+}
+
+}  // namespace meshgraft::cli

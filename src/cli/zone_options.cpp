@@ -1,0 +1,41 @@
+#include "cli/zone_options.hpp"
+
+namespace meshgraft::cli {
+namespace {
+
+constexpr double kHighestMinQuality = 0.9;  // a sheet of triangles all better than this is rarely possible
+
+}  // namespace
+
+Result<double> quality(const Typed& typed) {
+  return number_in(typed, {.low = 0, .high = kHighestMinQuality, .allowed = "an aspect ratio Q from 0 to 0.9"});
+}
+
+void add_output_options(Arguments& a) {
+  a.value("-o,--output", "OUT", "file written (UNV); appears whole or not at all; required");
+  a.value("--report", "FILE", "JSON file with the ledger and all figures [default: none]");
+}
+
+void add_zone_options(Arguments& a, const std::string& tolerance_help, MergeArguments& out) {
+  a.value("--tolerance", "LEN|N%", tolerance_help);
+  a.value("--size", "LEN|auto",
+          "edge length along the junction, in file units; auto: mean edge length there [default: auto]");
+  a.value("--bandwidth", "N|auto", "neighbourhoods of the junction remeshed on both sides, a count [default: auto]");
+  a.value("--min-quality", "Q", "worst aspect ratio accepted in new faces, 0 to 0.9; 1 is equilateral [default: 0.5]");
+  a.flag("--allow-poor", out.allow_poor, "write the result although a promise is not met [default: no]");
+}
+
+Result<void> read_zone_options(const Arguments& a, MergeArguments& out) {
+  const auto text = [](const Typed& typed) { return Result<std::string>(typed.text); };
+  MergeOptions& o = out.options;
+  Result<void> done = store(a, "--output", text, out.output);
+  if (done) done = store(a, "--report", text, out.report);
+  if (done) done = store(a, "--tolerance", tolerance, o.tolerance);
+  if (done) done = store(a, "--size", size, o.size);
+  if (done) done = store(a, "--bandwidth", bandwidth, o.bandwidth);
+  if (done) done = store(a, "--min-quality", quality, o.min_quality);
+  if (done && out.output.empty()) return a.missing("-o OUT, the file to write,");
+  return done;
+}
+
+}  // namespace meshgraft::cli

@@ -1,0 +1,18 @@
+// The options of all commands that remesh a zone.
+#pragma once
+
+#include "cli/command_reader.hpp"
+
+namespace meshgraft::cli {
+
+/// A worst Q to be reached or reported.
+[[nodiscard]] Result<double> quality(const Typed& typed);
+
+/// Where the result goes.
+void add_output_options(Arguments& a);
+/// How the zone is remeshed, and whether a result that breaks a promise is written.
+void add_zone_options(Arguments& a, const std::string& tolerance_help, MergeArguments& out);
+/// Stores the values of all of them. Error kUsage if there is no output.
+[[nodiscard]] Result<void> read_zone_options(const Arguments& a, MergeArguments& out);
+
+}  // namespace meshgraft::cli

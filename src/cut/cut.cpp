@@ -1,0 +1,180 @@
+#include "meshgraft/cut.hpp"
+
+#include <algorithm>
+
+#include "core/components.hpp"
+#include "core/summary.hpp"
+#include "cut/base_pieces.hpp"
+#include "cut/cut_complex.hpp"
+#include "cut/cut_edges.hpp"
+#include "cut/elements.hpp"
+#include "cut/entries.hpp"
+#include "cut/round.hpp"
+#include "cut/sides.hpp"
+#include "cut/take_out.hpp"
+#include "cut/tool_surface.hpp"
+#include "geometry/triangle_surface.hpp"
+#include "merge/compatibility.hpp"
+#include "merge/conclude.hpp"
+#include "merge/faults.hpp"
+#include "merge/unsupported.hpp"
+#include "search/workpiece.hpp"
+#include "zone/ruler.hpp"
+
+namespace meshgraft {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// What is wrong with the inputs before anything is cut. A tool made from numbers has no units and no scale.
+Result<void> check_inputs(const Model& base, const CutTool& tool, const CutOptions& options) {
+  std::vector<const Model*> inputs{&base};
+  if (const auto* model = std::get_if<const Model*>(&tool)) inputs.push_back(*model);
+  return check_compatible(inputs, options.zone);
+}
+
+std::vector<Triangle> triangles_of(const Model& model) {
+  std::vector<Triangle> triangles;
+  for (std::size_t f = 0; f < model.n_elements(); ++f) triangles.push_back(model.corners(ElementId(f)));
+  return triangles;
+}
+
+/// The base cut along the tool, with the pieces that go marked.
+struct Incision {
+  Complex original;  // the workpiece of the base
+  MarkedCut marked;
+  DroppedElements elements;
+  std::vector<std::array<VertexId, 2>> border;  // of what goes and what stays
+  std::vector<DroppedEntry> entries;
+};
+
+/// The tolerance only spares slivers between the cut and what is near it. Where details of the base are
+/// finer, it bends the tool more than its faces can follow: then a smaller one is tried.
+tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& complex, GroupSets& sets,
+                                                           const MergeOptions& zone) {
+  constexpr int kMostAttempts = 3;
+  constexpr double kNextShare = 0.1;
+  CorefineOptions options;
+  options.tolerance = zone.tolerance;
+  options.contact_angle = zone.contact_angle;
+  for (int attempt = 1;; ++attempt) {
+    auto corefined = corefine(complex, sets, options);
+    const bool settled = corefined || corefined.error().code != ErrorCode::kJunctionNotResolved;
+    if (settled || attempt == kMostAttempts) return corefined;
+    options.tolerance.value *= kNextShare;
+  }
+}
+
+Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOptions& options, const GroupTable& table,
+                        GroupSets& sets) {
+  const std::vector<const Model*> with_tool{&base, &tool.model}, alone{&base};
+  const NearFaces near = near_faces(base, tool, options.zone.tolerance);
+  WorkpieceOptions workpiece_options;
+  if (options.zone.bandwidth)
+    workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.zone.bandwidth);
+  Incision out;
+  out.original = workpiece(alone, one_for_each_input(1), std::vector<std::vector<ElementId>>{near.of_base},
+                           table.of_input, sets, workpiece_options);
+  Complex both = out.original;
+  const std::uint32_t component = add_tool(tool.model, near.of_tool, both);
+
+  const auto corefined = corefined_with_tool(both, sets, options.zone);
+  if (!corefined) {
+    Error error = to_error(with_tool, corefined.error());
+    if (error.code == ErrorCode::kOverlap)
+      error.hint = "the tool lies on faces of the base there; move it off them by more than the tolerance";
+    return Failure(std::move(error));
+  }
+
+  const Complex& complex = corefined->complex;
+  const BasePieces pieces = base_pieces(base, complex, corefined->junction_edges, component);
+  const TriangleSurface surface(triangles_of(tool.model));
+  const auto sides = tool.closed ? Result<std::vector<ToolSide>>(sides_of_closed(pieces, surface))
+                                 : sides_of_open(pieces, *corefined, component, tool.model.path);
+  if (!sides) return Failure(sides.error());
+  const auto goes = dropped_pieces(base, pieces, complex, *sides, tool.model.path, options.drop);
+  if (!goes) return Failure(goes.error());
+  auto elements = dropped_elements(base, complex, pieces, *goes, surface, tool.closed, options.drop);
+  if (!elements) return Failure(elements.error());
+  out.elements = std::move(*elements);
+
+  std::vector<std::uint8_t> face_goes(complex.n_faces());
+  for (std::size_t f = 0; f < face_goes.size(); ++f)
+    face_goes[f] = pieces.of_face[f] != BasePieces::kNone ? (*goes)[pieces.of_face[f]] : 0;
+  out.marked = without_tool(out.original, *corefined, face_goes, component);
+  out.border = border_of(out.marked.corefined.complex, out.marked.goes);
+  if (tool.round) round_border(out.original, out.border, *tool.round, out.marked.corefined.complex);
+  out.entries = entries_of(base, complex, out.marked.corefined.complex.position, pieces, *goes);
+  return out;
+}
+
+/// Takes out what is marked.
+Dropped take_out(Incision& incision, const Graft& graft) {
+  Corefined& corefined = incision.marked.corefined;
+  Dropped dropped;
+  std::erase_if(corefined.complex.lines, [&](const Complex::Line& line) {
+    return std::ranges::binary_search(incision.elements.elements, line.parent.element);
+  });
+  drop_faces(corefined, incision.marked.goes, graft.group_sets, graft.groups.size(), dropped);
+  dropped.elements = {incision.elements.elements};
+  corefined.junction_edges = incision.border;
+  return dropped;
+}
+
+/// Area between a curved border and its chords.
+double slack_of(const Complex& complex, const Junction& cut) {
+  constexpr double kSegment = 2.0 / 3.0;  // area of a flat segment over chord x sagitta
+  double sum = 0;
+  for (const JunctionEdge& e : cut.edges)
+    sum += squared_norm(complex.position[e.ends[1].value] - complex.position[e.ends[0].value]);
+  return kSegment * RulerOptions{}.max_sagitta * sum;
+}
+
+}  // namespace
+
+Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& options) {
+  Merged merged;
+  Report& report = merged.report;
+  Graft& graft = merged.graft;
+  report.version = MESHGRAFT_VERSION;
+  Stopwatch watch(options.zone.progress);
+
+  watch.start("search", 0);
+  if (const auto ok = check_inputs(base, from, options); !ok) return Failure(ok.error());
+  const auto tool = tool_surface(base, from);
+  if (!tool) return Failure(tool.error());
+  const std::vector<const Model*> inputs{&base}, with_tool{&base, &tool->model};
+  if (const auto ok = check_meeting_elements(with_tool, options.zone.tolerance); !ok) return Failure(ok.error());
+  report.inputs.push_back(counts_of(base));
+  append(report.warnings, std::vector(base.warnings));
+  if (const auto* model = std::get_if<const Model*>(&from)) report.inputs.push_back(counts_of(**model));
+  const GroupTable table = group_table(inputs);
+  graft.groups = table.groups;
+  SetTranslation translated(inputs, table, graft.group_sets);
+
+  watch.start("intersect", 0.2);
+  auto incision = incise(base, *tool, options, table, graft.group_sets);
+  if (!incision) return Failure(incision.error());
+  report.dropped = std::move(incision->entries);
+  append(report.warnings, std::move(incision->elements.warnings));
+  Dropped dropped = take_out(*incision, graft);
+  const Corefined& corefined = incision->marked.corefined;
+
+  watch.start("remesh", 0.3);
+  RemeshedZone zone = remesh_zone(incision->original, corefined, graft.group_sets, options.zone);
+  const Junction junction = cut_edges(zone.remeshed.complex, dropped.borders);
+  if (tool->round) round_nodes(incision->original, junction, *tool->round, zone.remeshed.complex);
+  dropped.slack = slack_of(zone.remeshed.complex, junction);
+
+  const Components components = one_for_each_input(1);
+  const Operation operation{inputs, components, incision->original, corefined, zone, dropped, translated, options.zone};
+  if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
+  report.junction = polylines_of(zone.remeshed.complex, junction, components);
+  for (PolylineSummary& line : report.junction) line.kind = "cut";
+  return merged;
+}
+
+}  // namespace meshgraft
