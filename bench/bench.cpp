@@ -141,10 +141,18 @@ std::pair<int, std::uint64_t> run(const std::vector<std::string>& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
+/// An output that replaces a file is flushed to the disk, which is not what is to be measured.
+void remove_output(State& state, const Files& files) {
+  state.PauseTiming();
+  fs::remove(files.output);
+  state.ResumeTiming();
+}
+
 void run_program(State& state) {
   const Files files = files_of(state);
   std::uint64_t peak = 0;
   for (auto _ : state) {
+    remove_output(state, files);
     const auto [status, memory] =
         run({program.string(), "merge", files.base.string(), files.part.string(), "-o", files.output.string(), "-q"});
     if (status != 0) return state.SkipWithError(("exit status " + std::to_string(status)).c_str());
@@ -160,6 +168,7 @@ void run_cp(State& state) {
   const Files files = files_of(state);
   const std::string copy_of_part = files.output.string() + ".part";
   for (auto _ : state) {
+    remove_output(state, files);
     if (run({"cp", files.base.string(), files.output.string()}).first != 0 ||
         run({"cp", files.part.string(), copy_of_part}).first != 0)
       return state.SkipWithError("cp failed");
@@ -184,9 +193,11 @@ void write_merged(State& state) {
   if (!base || !part) return state.SkipWithError("cannot read");
   Result<Merged> merged = merge(*base, std::span(&*part, 1));
   if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
-  for (auto _ : state)
+  for (auto _ : state) {
+    remove_output(state, files);
     if (!write_unv(*base, std::span(&*part, 1), *merged, files.output.string(), merged->report))
       return state.SkipWithError("cannot write");
+  }
   state.counters["bytes"] = static_cast<double>(fs::file_size(files.output));
 }
 
