@@ -65,6 +65,12 @@ struct Graft {
     GroupSetId groups;  // merged groups it joins, beyond those its own input gives it
   };
   std::vector<JoinedNode> joined_nodes;
+
+  struct JoinedElement {
+    ElementRef element;  // an element that stays
+    GroupSetId groups;   // merged groups it joins: those of an element it now stands for too
+  };
+  std::vector<JoinedElement> joined_elements;
 };
 
 /// Labels of the merged model. Base labels never change; a label of a part moves by the constant

@@ -26,6 +26,8 @@ class GroupSets {
   GroupSetId with(GroupSetId set, GroupId group);
   GroupSetId unite(GroupSetId a, GroupSetId b);
   GroupSetId intersect(GroupSetId a, GroupSetId b);
+  /// What `all` has beyond `own`.
+  GroupSetId subtract(GroupSetId all, GroupSetId own);
 
   /// Ascending, without repeats.
   [[nodiscard]] std::span<const GroupId> members(GroupSetId set) const { return sets_[set.value]; }

@@ -10,7 +10,17 @@
 
 namespace meshgraft {
 
-enum class Mode { kAuto, kFaceEdge };
+/// How meeting faces are treated (paper 2.4): crossing, lying on each other, or as they are in each place.
+enum class Mode { kAuto, kFaceEdge, kFaceFace };
+
+/// What becomes of faces that lie on each other (paper 4).
+enum class Overlap {
+  kFuse,      // one layer, remeshed, in the groups of both
+  kKeepBase,  // the faces of the base stay as they are, those of the part on them go
+  kKeepPart,  // the other way round
+  kProject,   // two layers on the same nodes, each with its own groups and attributes
+};
+
 enum class Method { kAdaptive };
 
 /// A length given as such or as a share of the local edge length.
@@ -29,6 +39,7 @@ struct JoinedGroups {
 struct MergeOptions {
   Mode mode = Mode::kAuto;
   Method method = Method::kAdaptive;
+  Overlap overlap = Overlap::kFuse;
 
   /// Faces meeting at less than this are in contact (paper 2.4). Radians, in (0, pi/2).
   double contact_angle = 20.0 / 180.0 * std::numbers::pi;

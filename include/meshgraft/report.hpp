@@ -32,7 +32,7 @@ struct ComponentSummary {
 /// A curve along which inputs are joined, or a single node where they are joined in no curve.
 struct PolylineSummary {
   /// "crossing": every input goes on beyond the curve on both sides; "touching": one of them ends on
-  /// it; "point": a single node.
+  /// it; "overlap": it borders an area in which they lie on each other; "point": a single node.
   std::string kind;
   bool closed = false;
   double length = 0;

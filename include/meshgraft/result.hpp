@@ -35,7 +35,7 @@ enum class ErrorCode {
   kScaleMismatch,        // meshes so different in size that no grading is sensible
   kNoFaces,              // no triangles to merge
   kPartsApart,           // a part meets nothing
-  kOverlap,              // coplanar faces overlap; not handled by this mode
+  kOverlap,              // faces lie on each other where that is not wanted or has no clear border
   kNotSeparated,         // a tool does not cut all the way, or its sides cannot be told
   kUnsupportedElement,   // parts meet at elements that cannot be remeshed
   kJunctionNotResolved,  // the junction could not be made conforming

@@ -1,5 +1,6 @@
 #include "cli/arguments.hpp"
 
+#include <array>
 #include <numbers>
 
 #include "cli/command_reader.hpp"
@@ -23,8 +24,15 @@ Result<double> angle(const Typed& typed) {
 }
 
 Result<Mode> mode(const Typed& typed) {
-  static const std::vector<std::string> kNames{"auto", "face-edge"}, kLater{"face-face"};
-  return choice(typed, kNames, kLater).map([](std::size_t k) { return k == 0 ? Mode::kAuto : Mode::kFaceEdge; });
+  static const std::vector<std::string> kNames{"auto", "face-edge", "face-face"};
+  static constexpr std::array kModes{Mode::kAuto, Mode::kFaceEdge, Mode::kFaceFace};
+  return choice(typed, kNames, {}).map([](std::size_t k) { return kModes[k]; });
+}
+
+Result<Overlap> overlap(const Typed& typed) {
+  static const std::vector<std::string> kNames{"fuse", "keep-base", "keep-part", "project"};
+  static constexpr std::array kOverlaps{Overlap::kFuse, Overlap::kKeepBase, Overlap::kKeepPart, Overlap::kProject};
+  return choice(typed, kNames, {}).map([](std::size_t k) { return kOverlaps[k]; });
 }
 
 Result<Method> method(const Typed& typed) {
@@ -43,7 +51,11 @@ class MergeCommand : public CommandReader<MergeArguments> {
                 "join only faces of element group A with faces of element group B; may be given several times "
                 "[default: all that meet]");
     add_output_options(a_);
-    a_.value("--mode", "MODE", "how meeting faces are treated: auto or face-edge [default: auto]");
+    a_.value("--mode", "MODE",
+             "how meeting faces are treated: auto (place by place), face-edge or face-face [default: auto]");
+    a_.value("--overlap", "KIND",
+             "where faces lie on each other: fuse (one layer in the groups of both), keep-base or keep-part (the other "
+             "side's faces go), project (two layers on the same nodes) [default: fuse]");
     a_.value("--method", "METHOD", "how the zone is filled: adaptive [default: adaptive]");
     a_.value("--angle", "DEG", "faces that meet at less than this lie on each other; degrees [default: 20]");
     a_.value("--trim", "beyond=LEN|none",
@@ -68,13 +80,13 @@ class MergeCommand : public CommandReader<MergeArguments> {
 
   /// Options of the method that this version refuses: an option is honoured or an error.
   static constexpr std::pair<const char*, const char*> kNotInThisVersion[] = {
-      {"--overlap", "not in this version of meshgraft: faces that lie on each other are an error [overlap]"},
       {"--blend", "not in this version of meshgraft: new nodes lie on the surfaces of the inputs"}};
 
   Result<void> read_options() {
     MergeOptions& o = out_.options;
     Result<void> done = read_zone_options(a_, out_);
     if (done) done = store(a_, "--mode", mode, o.mode);
+    if (done) done = store(a_, "--overlap", overlap, o.overlap);
     if (done) done = store(a_, "--method", method, o.method);
     if (done) done = store(a_, "--angle", angle, o.contact_angle);
     if (done) done = store(a_, "--trim", trim, o.trim);

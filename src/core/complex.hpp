@@ -60,6 +60,17 @@ struct Complex {
   std::vector<GroupSetId> face_groups;        // m
   std::vector<AttributesId> face_attributes;  // m, equal ids = equal attributes, across inputs
 
+  /// A second input face that lies on a face, of another component: where meshes overlap, one
+  /// layer of faces stands for both.
+  struct Layer {
+    ElementRef parent;  // invalid: there is none
+    std::uint32_t component = 0;
+    GroupSetId groups = GroupSets::kEmpty;
+    AttributesId attributes;
+    friend constexpr auto operator<=>(const Layer&, const Layer&) = default;
+  };
+  std::vector<Layer> layer;  // m, or empty where nothing overlaps; face_groups holds their groups too
+
   /// A 1D element with two nodes.
   struct Line {
     std::array<VertexId, 2> ends;
@@ -100,6 +111,20 @@ struct Complex {
     own = sets.unite(own, groups);
   }
 
+  /// Exchanges the faces of two complexes with all that goes with each.
+  void swap_faces(Complex& other) {
+    face.swap(other.face), parent.swap(other.parent), component.swap(other.component);
+    face_groups.swap(other.face_groups), face_attributes.swap(other.face_attributes), layer.swap(other.layer);
+  }
+  /// The components a face is of, ascending; twice the same where nothing lies on it.
+  [[nodiscard]] std::array<std::uint32_t, 2> components_of(FaceId f) const {
+    const std::uint32_t own = component[f.value];
+    const Layer other = layer_of(f);
+    if (!other.parent.valid()) return {own, own};
+    return {std::min(own, other.component), std::max(own, other.component)};
+  }
+  [[nodiscard]] Layer layer_of(FaceId f) const { return layer.empty() ? Layer{} : layer[f.value]; }
+
   VertexId add_vertex(Vec3 p, NodeRef of, VertexState s, GroupSetId groups) {
     position.push_back(p), node.push_back(of), state.push_back(s), vertex_groups.push_back(groups);
     return VertexId(position.size() - 1);
@@ -111,6 +136,7 @@ struct Complex {
     component.push_back(std::uint32_t(from.component[like.value]));
     face_groups.push_back(GroupSetId(from.face_groups[like.value]));
     face_attributes.push_back(AttributesId(from.face_attributes[like.value]));
+    if (!from.layer.empty()) layer.push_back(Layer(from.layer[like.value]));
     return FaceId(face.size() - 1);
   }
 

@@ -61,6 +61,13 @@ GroupSetId GroupSets::intersect(GroupSetId a, GroupSetId b) {
   return intersect_[key] = intern(std::move(groups));
 }
 
+GroupSetId GroupSets::subtract(GroupSetId all, GroupSetId own) {
+  if (is_subset(all, own)) return kEmpty;
+  std::vector<GroupId> beyond;
+  std::ranges::set_difference(sets_[all.value], sets_[own.value], std::back_inserter(beyond));
+  return intern(std::move(beyond));
+}
+
 bool GroupSets::contains(GroupSetId set, GroupId group) const {
   return std::ranges::binary_search(sets_[set.value], group);
 }

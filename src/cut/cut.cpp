@@ -58,6 +58,7 @@ tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& comple
   constexpr int kMostAttempts = 3;
   constexpr double kNextShare = 0.1;
   CorefineOptions options;
+  options.mode = Mode::kFaceEdge;  // faces of the base that lie on the tool are on neither side of it
   options.tolerance = zone.tolerance;
   options.contact_angle = zone.contact_angle;
   for (int attempt = 1;; ++attempt) {

@@ -58,7 +58,7 @@ Assembly::Assembly(const Complex& complex, std::span<const double> size)
 
 std::vector<Assembly::Piece> Assembly::pieces_of(std::uint32_t face) const {
   if (cut_face_[face] != kWhole) return face_pieces_[cut_face_[face]];
-  return {{whole_.face[face], 0}};
+  return {{whole_.face[face], 0, 0, whole_.face_groups[face], {}}};
 }
 
 std::vector<Complex::Line> Assembly::pieces_of_line(std::uint32_t line) const {
@@ -104,6 +104,9 @@ CutOut Assembly::around(std::span<const FaceId> faces) const {
     const auto& v = pieces[i].corners;
     c.add_face({local(v[0]), local(v[1]), local(v[2])}, whole_, FaceId(std::size_t{out.face[i]}));
     out.marks.size.push_back(size_[out.face[i]]);
+    c.face_groups.back() = pieces[i].groups;
+    if (pieces[i].layer.parent.valid()) c.layer.resize(pieces.size()), c.layer[i] = pieces[i].layer;
+    if (pieces[i].kept) out.marks.kept.resize(pieces.size()), out.marks.kept[i] = 1;
     out.marks.touched.push_back(pieces[i].touched);
     out.marks.active.push_back(1);
     out.marks.from.emplace_back(i);
@@ -131,17 +134,24 @@ std::vector<VertexId> Assembly::put_back(const CutOut& before, const Complex& no
   }
   for (ItemsAt* items : {&faces_at_, &lines_at_, &fixed_at_}) items->add_vertices(whole_.n_vertices());
 
-  for (std::size_t i = 0; i < now.n_faces();) {
-    const std::uint32_t face = before.face[marks.from[i].value];
+  std::size_t i = 0;
+  for (std::size_t b = 0; b < before.face.size(); ++b) {
+    const std::uint32_t face = before.face[b];
+    if (b > 0 && before.face[b - 1] == face) continue;
     std::vector<Piece> pieces;
     for (; i < now.n_faces() && before.face[marks.from[i].value] == face; ++i) {
       const auto& v = now.face[i];
-      pieces.push_back({{vertex[v[0].value], vertex[v[1].value], vertex[v[2].value]}, marks.touched[i]});
+      const std::uint8_t kept = marks.kept.empty() ? 0 : marks.kept[i];
+      pieces.push_back({{vertex[v[0].value], vertex[v[1].value], vertex[v[2].value]},
+                        marks.touched[i],
+                        kept,
+                        now.face_groups[i],
+                        now.layer_of(FaceId(i))});
     }
     set_pieces(face, std::move(pieces));
   }
   std::size_t of_line = 0;  // before.line, which the lines of now follow in order
-  for (std::size_t i = 0; i < now.lines.size();) {
+  for (i = 0; i < now.lines.size();) {
     while (before.complex.lines[of_line].parent != now.lines[i].parent) ++of_line;
     std::vector<Complex::Line> pieces;
     for (; i < now.lines.size() && now.lines[i].parent == before.complex.lines[of_line].parent; ++i) {
@@ -150,7 +160,7 @@ std::vector<VertexId> Assembly::put_back(const CutOut& before, const Complex& no
     }
     set_pieces_of_line(before.line[of_line], std::move(pieces));
   }
-  for (std::size_t i = 0; i < now.fixed_edges.size(); ++i) {
+  for (i = 0; i < now.fixed_edges.size(); ++i) {
     const std::array ends{vertex[now.fixed_edges[i][0].value], vertex[now.fixed_edges[i][1].value]};
     if (ends == whole_.fixed_edges[before.fixed_edge[i]]) continue;
     whole_.fixed_edges[before.fixed_edge[i]] = ends;
@@ -182,14 +192,22 @@ void Assembly::set_pieces_of_line(std::uint32_t line, std::vector<Complex::Line>
   line_pieces_[cut_line_[line]] = std::move(pieces);
 }
 
-Complex Assembly::finished(std::vector<std::uint8_t>& touched) const {
+Complex Assembly::finished(std::vector<std::uint8_t>& touched, std::vector<std::uint8_t>& kept) const {
   Complex c;
   c.position = whole_.position, c.node = whole_.node, c.state = whole_.state, c.vertex_groups = whole_.vertex_groups;
   c.component_groups = whole_.component_groups;
+  const auto any_piece = [&](auto&& is) {
+    return std::ranges::any_of(face_pieces_, [&](const auto& pieces) { return std::ranges::any_of(pieces, is); });
+  };
+  const bool any_layer = any_piece([](const Piece& p) { return p.layer.parent.valid(); });
+  const bool any_kept = any_piece([](const Piece& p) { return p.kept != 0; });
   for (std::uint32_t f = 0; f < whole_.n_faces(); ++f)
     for (const Piece& p : pieces_of(f)) {
       c.add_face(p.corners, whole_, FaceId(std::size_t{f}));
+      c.face_groups.back() = p.groups;
       touched.push_back(p.touched);
+      if (any_kept) kept.push_back(p.kept);
+      if (any_layer) c.layer.push_back(p.layer);
     }
   for (std::uint32_t l = 0; l < whole_.lines.size(); ++l)
     for (const Complex::Line& p : pieces_of_line(l)) c.lines.push_back(p);

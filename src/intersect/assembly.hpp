@@ -48,13 +48,15 @@ class Assembly {
   ///   returns   by vertex of `now`: the one of the whole
   std::vector<VertexId> put_back(const CutOut& before, const Complex& now, const FaceMarks& marks);
 
-  /// The whole: pieces stand where their faces stood. `touched`: by face.
-  [[nodiscard]] Complex finished(std::vector<std::uint8_t>& touched) const;
+  /// The whole: pieces stand where their faces stood. `touched`, `kept`: by face, as in Corefined.
+  [[nodiscard]] Complex finished(std::vector<std::uint8_t>& touched, std::vector<std::uint8_t>& kept) const;
 
  private:
   struct Piece {
     std::array<VertexId, 3> corners;
-    std::uint8_t touched = 0;
+    std::uint8_t touched = 0, kept = 0;
+    GroupSetId groups;
+    Complex::Layer layer;
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   static constexpr std::uint32_t kWhole = 0xFFFFFFFF;

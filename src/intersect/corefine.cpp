@@ -50,7 +50,7 @@ class Corefiner {
     std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
-    Joining joining{before.complex, before.marks, {}, {}, {}};
+    Joining joining{before.complex, before.marks, {}, {}, {}, {}};
     if (auto fault = join(joining, component, largest_, groups_, options_)) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
@@ -59,6 +59,7 @@ class Corefiner {
     for (const auto& [y, x] : joining.replaced)
       if (const NodeRef node = joining.complex.node[y.value]; node.valid())
         out_.replaced.push_back({node, vertex[x.value]});
+    out_.covered.insert(out_.covered.end(), joining.covered.begin(), joining.covered.end());
     out_.left_open.insert(out_.left_open.end(), joining.left_open.begin(), joining.left_open.end());
     return std::nullopt;
   }
@@ -66,7 +67,8 @@ class Corefiner {
   Corefined result() {
     std::sort(out_.moves.begin(), out_.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
     std::sort(out_.replaced.begin(), out_.replaced.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
-    out_.complex = assembly_.finished(out_.touched);
+    std::sort(out_.covered.begin(), out_.covered.end());
+    out_.complex = assembly_.finished(out_.touched, out_.kept);
     find_shared(out_);
     return std::move(out_);
   }

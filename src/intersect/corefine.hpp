@@ -20,6 +20,8 @@ struct CorefineOptions {
   double weld_share = 1e-6;
   /// Faces flatter to each other than this and nearer than the tolerance overlap. Radians.
   double contact_angle = 20.0 / 180.0 * 3.14159265358979323846;
+  Mode mode = Mode::kAuto;
+  Overlap overlap = Overlap::kFuse;
   /// Edges folded more than this are sharp. Radians.
   double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;
 };
@@ -28,7 +30,8 @@ struct CorefineOptions {
 struct Corefined {
   Complex complex;  // each face lies in its parent; shared junction vertices and edges
 
-  /// Edges along which components meet, each once, (smaller, larger) vertex, ascending.
+  /// Edges whose faces are not all of the same components (Complex::components_of), each once, (smaller,
+  /// larger) vertex, ascending.
   std::vector<std::array<VertexId, 2>> junction_edges;
   /// Vertices in which components meet but which are on no junction edge, ascending.
   std::vector<VertexId> junction_points;
@@ -47,6 +50,19 @@ struct Corefined {
     VertexId by;
   };
   std::vector<Replaced> replaced;  // nodes of later components that became one with an earlier vertex
+
+  /// By face: 1 if it is to stay as it is because it lies in an area of contact that is kept. Empty:
+  /// there is none.
+  std::vector<std::uint8_t> kept;
+
+  /// Faces that went because they lie on others, ascending.
+  struct Covered {
+    ElementRef face;
+    double area = 0;        // of it that went
+    bool has_heir = false;  // another face stands for it now (Complex::Layer)
+    friend auto operator<=>(const Covered&, const Covered&) = default;
+  };
+  std::vector<Covered> covered;
 
   /// Pairs (smaller, larger) of components that meet, ascending.
   std::vector<std::array<std::uint32_t, 2>> met;

@@ -16,11 +16,6 @@ std::span<const T> range_of(const std::vector<T>& list, K T::*key, K value) {
   return {first, last};
 }
 
-void swap_faces(Complex& a, Complex& b) {
-  std::swap(a.face, b.face), std::swap(a.parent, b.parent), std::swap(a.component, b.component);
-  std::swap(a.face_groups, b.face_groups), std::swap(a.face_attributes, b.face_attributes);
-}
-
 class Imprinter {
  public:
   Imprinter(Meeting& m, const std::array<Imprint, 2>& imprint) : m_(m), imprint_(imprint), by_(m.complex.n_vertices()) {
@@ -121,21 +116,21 @@ class Imprinter {
   std::optional<ImprintFault> rebuild_faces(FaceMarks& marks) {
     Complex& c = m_.complex;
     Complex old;  // the lists of faces as they were
-    swap_faces(old, c);
+    c.swap_faces(old);
     FaceMarks now;
     std::array<LocalFace, 2> next{0, 0};
     for (std::size_t f = 0; f < old.face.size(); ++f) {
       const auto add = [&](const std::array<VertexId, 3>& v, bool touched, bool active) {
         c.add_face(v, old, FaceId(f));
-        now.size.push_back(marks.size[f]), now.touched.push_back(touched), now.active.push_back(active);
-        now.from.push_back(marks.from[f]);
+        now.add(marks, f);
+        now.touched.back() = touched, now.active.back() = active;
       };
       std::size_t s = 0;
       while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;
       if (s == 2) {
         const auto pieces = cut(beside(old.face[f]), c.position);
         if (!pieces) {
-          swap_faces(old, c);
+          c.swap_faces(old);
           return fault(FaceId(f));
         }
         for (const auto& v : *pieces) add(v, marks.touched[f], false);
@@ -144,9 +139,9 @@ class Imprinter {
       const LocalFace local = next[s]++;
       const bool touched = marks.touched[f] || imprint_[s].touched[local];
       const FaceToCut face = face_to_cut(s, local);
-      const auto pieces = cut(face, c.position);
+      const auto pieces = cut(face, m_.surface(s));
       if (!pieces) {
-        swap_faces(old, c);
+        c.swap_faces(old);
         return fault(FaceId(f));
       }
       for (const auto& v : *pieces) add(v, touched, true);

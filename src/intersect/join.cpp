@@ -7,6 +7,7 @@
 #include "intersect/doubled.hpp"
 #include "intersect/open_gaps.hpp"
 #include "intersect/overlap.hpp"
+#include "intersect/overlay.hpp"
 
 namespace meshgraft {
 namespace {
@@ -46,12 +47,29 @@ class Joiner {
   }
 
  private:
-  std::optional<ImprintFault> all_rounds(std::span<const std::uint8_t> exact) {
+  std::optional<ImprintFault> all_rounds(std::vector<std::uint8_t> exact) {
+    if (options_.mode != Mode::kFaceEdge)
+      if (auto failed = lay_over(exact)) return failed;
     settled_ = false;
     for (int round = 0; !settled_ && round < kMaxRounds; ++round)
       if (auto failed = meet(round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
     if (settled_) return std::nullopt;
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
+  }
+
+  /// Where the sides lie on each other, one layer is taken out. `exact` follows the faces.
+  std::optional<ImprintFault> lay_over(std::vector<std::uint8_t>& exact) {
+    const Sides sides{active_faces(), owners()};
+    auto overlaid = overlay(complex_, groups_, marks_, sides, SnapRule(largest_, options_, true), options_);
+    if (!overlaid) return std::move(overlaid.error());
+    if (!overlaid->any) return std::nullopt;
+    std::vector<std::uint8_t> now;
+    for (const FaceId from : marks_.from) now.push_back(exact[from.value]);
+    exact = std::move(now);
+    marks_.active.assign(complex_.n_faces(), 1);
+    remember(overlaid->moved, overlaid->replaced);
+    joining_.covered.insert(joining_.covered.end(), overlaid->covered.begin(), overlaid->covered.end());
+    return std::nullopt;
   }
 
   /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it
@@ -71,9 +89,10 @@ class Joiner {
       const auto open = find_open_gaps(m);
       joining_.left_open.insert(joining_.left_open.end(), open.begin(), open.end());
     }
-    settled_ = round > 0 && !has_news(m);
+    settled_ = (round > 0 || options_.mode == Mode::kFaceFace) && !has_news(m);
     if (settled_) return std::nullopt;
-    remember_moves(m);
+    if (options_.mode == Mode::kFaceFace) return ImprintFault{other_meeting(m), {}};
+    remember(m.moved, m.replaced);
     const auto imprint = link_symbols(m, options_);
     if (!imprint) {
       // In the first round the inputs overlap; later it is something that bending has made.
@@ -133,6 +152,15 @@ class Joiner {
     return own;
   }
 
+  /// The meshes meet elsewhere than where they lie on each other.
+  static JunctionFault other_meeting(const Meeting& m) {
+    const FacePair& p = m.pairs.front();
+    return {ErrorCode::kUsage,
+            "meshes cross or touch, and only faces that lie on each other are joined in mode face-face",
+            {m.complex.parent[m.side[0].face(p[0]).value], m.complex.parent[m.side[1].face(p[1]).value]},
+            m.at(m.symbols.front().vertex)};
+  }
+
   /// True if there is more than the vertices that both sides have already.
   static bool has_news(const Meeting& m) {
     return std::any_of(m.symbols.begin(), m.symbols.end(), [](const Symbol& s) {
@@ -140,9 +168,9 @@ class Joiner {
     });
   }
 
-  void remember_moves(const Meeting& m) {
-    for (const auto& [v, from] : m.moved) moved_from_.emplace(v, from);
-    for (const auto& [y, x] : m.replaced) {
+  void remember(std::span<const std::pair<VertexId, Vec3>> moved, std::span<const std::array<VertexId, 2>> replaced) {
+    for (const auto& [v, from] : moved) moved_from_.emplace(v, from);
+    for (const auto& [y, x] : replaced) {
       moved_from_.erase(y);
       joining_.replaced.push_back({y, x});
     }

@@ -62,8 +62,17 @@ Row row_of(const Meeting& m, std::span<const Contact> at_pair) {
   return row;
 }
 
-void collect_points(const Meeting& m, std::array<Imprint, 2>& imprint) {
+void make_distinct(std::vector<Imprint::Segment>& segments) {
+  std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+}
+
+}  // namespace
+
+std::array<Imprint, 2> collect_points(const Meeting& m) {
+  std::array<Imprint, 2> imprint;
   for (const std::size_t s : kSides) {
+    imprint[s].touched.assign(m.side[s].n_faces(), 0);
     for (const Symbol& symbol : m.symbols) {
       const Carrier& on = symbol.on[s];
       if (on.kind == Carrier::kEdge) imprint[s].on_edges.push_back({on.id, on.t, symbol.vertex});
@@ -72,19 +81,11 @@ void collect_points(const Meeting& m, std::array<Imprint, 2>& imprint) {
     std::sort(imprint[s].on_edges.begin(), imprint[s].on_edges.end());
     std::sort(imprint[s].on_faces.begin(), imprint[s].on_faces.end());
   }
+  return imprint;
 }
-
-void make_distinct(std::vector<Imprint::Segment>& segments) {
-  std::sort(segments.begin(), segments.end());
-  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
-}
-
-}  // namespace
 
 tl::expected<std::array<Imprint, 2>, SharedArea> link_symbols(const Meeting& m, const CorefineOptions& options) {
-  std::array<Imprint, 2> imprint;
-  for (const std::size_t s : kSides) imprint[s].touched.assign(m.side[s].n_faces(), 0);
-  collect_points(m, imprint);
+  std::array<Imprint, 2> imprint = collect_points(m);
 
   const std::vector<Contact> all = contacts(m);
   for (std::size_t first = 0, last = 0; first < all.size(); first = last) {

@@ -33,6 +33,9 @@ struct Imprint {
   std::vector<std::uint8_t> touched;  // by local face: has a symbol
 };
 
+/// The points of all symbols on edges and faces, by side; no segments, nothing touched.
+[[nodiscard]] std::array<Imprint, 2> collect_points(const Meeting& meeting);
+
 /// The imprint on both sides. Two faces meet in the symbols that both carry; faces being convex,
 /// each of these is joined to the next along the line on which they lie.
 ///

@@ -159,8 +159,9 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
 Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
                      std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
-                     std::span<const std::uint8_t> is_second, double sharp_angle) {
-  std::array<std::vector<FaceId>, 2> faces;
+                     std::span<const std::uint8_t> is_second, double sharp_angle,
+                     const std::array<std::vector<FaceId>, 2>& beside) {
+  std::array<std::vector<FaceId>, 2> faces = beside;
   for (const std::size_t s : kSides) {
     for (const auto& p : pairs) faces[s].push_back(p[s]);
     std::sort(faces[s].begin(), faces[s].end());
@@ -173,6 +174,7 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
             rule,
             {Side(complex, std::move(faces[0]), is_first, sharp_angle),
              Side(complex, std::move(faces[1]), is_second, sharp_angle)},
+            {},
             {},
             {},
             {},

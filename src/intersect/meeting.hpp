@@ -67,14 +67,20 @@ struct Meeting {
 
   std::vector<Symbol> symbols;
   std::array<std::vector<std::uint32_t>, 2> symbol_of;  // by side and vertex; kNowhere if none
-  std::set<std::array<LocalEdge, 2>> crossed_edges;     // pairs of edges with a symbol inside both
-  std::vector<std::array<VertexId, 2>> replaced;        // vertex of side 1, of side 0 that it became
-  std::vector<std::pair<VertexId, Vec3>> moved;         // vertex of side 1, where it was
-  bool has_closed_gap = false;                          // side 1 bends by more than the weld length
+  /// By side and vertex: where it lies in the surface of that side, if the sides keep a distance. Faces
+  /// are cut there. Empty: at its position on both sides.
+  std::array<std::vector<Vec3>, 2> chart;
+  std::set<std::array<LocalEdge, 2>> crossed_edges;  // pairs of edges with a symbol inside both
+  std::vector<std::array<VertexId, 2>> replaced;     // vertex of side 1, of side 0 that it became
+  std::vector<std::pair<VertexId, Vec3>> moved;      // vertex of side 1, where it was
+  bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
   [[nodiscard]] Snap snap(const FacePair& p) const;
+  [[nodiscard]] std::span<const Vec3> surface(std::size_t s) const {
+    return chart[s].empty() ? std::span<const Vec3>(complex.position) : std::span<const Vec3>(chart[s]);
+  }
   [[nodiscard]] bool has_symbol(std::size_t s, VertexId v) const { return symbol_of[s][v.value] != kNowhere; }
 
   /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
@@ -98,11 +104,13 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
                                               std::span<const FaceId> second, std::span<const double> size,
                                               const SnapRule& rule);
 
-/// Meeting of two sets of faces, without symbols yet.
+/// Meeting of two sets of faces, without symbols yet. `beside`: further faces of the first and the second
+/// that may be cut with them, ascending.
 Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
                      std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
-                     std::span<const std::uint8_t> is_second, double sharp_angle);
+                     std::span<const std::uint8_t> is_second, double sharp_angle,
+                     const std::array<std::vector<FaceId>, 2>& beside = {});
 
 /// True if boxes grown by a gap show that two segments (or points) are farther apart than it. Most
 /// are, and this is much cheaper than their distance.

@@ -12,9 +12,9 @@ void make_distinct(std::vector<T>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Calls f(item, components) for each item that components have which are joined. `uses`: ascending.
-template <class T, class F>
-void for_each_joined(const Joins& joins, const std::vector<std::pair<T, std::uint32_t>>& uses, F&& f) {
+/// Calls f(vertex, components) for each vertex that components have which are joined. `uses`: ascending.
+template <class F>
+void for_each_joined(const Joins& joins, const std::vector<std::pair<VertexId, std::uint32_t>>& uses, F&& f) {
   std::vector<std::uint32_t> components;
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
     components.clear();
@@ -26,12 +26,14 @@ void for_each_joined(const Joins& joins, const std::vector<std::pair<T, std::uin
 }  // namespace
 
 std::vector<std::uint8_t> shared_vertices(const Complex& complex) {
-  std::vector<std::uint32_t> first(complex.n_vertices(), VertexId::kNone);
+  constexpr std::array<std::uint32_t, 2> kNone{VertexId::kNone, VertexId::kNone};
+  std::vector<std::array<std::uint32_t, 2>> first(complex.n_vertices(), kNone);
   std::vector<std::uint8_t> shared(complex.n_vertices());
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
     for (const VertexId v : complex.face[f]) {
-      if (first[v.value] == VertexId::kNone) first[v.value] = complex.component[f];
-      if (first[v.value] != complex.component[f]) shared[v.value] = 1;
+      const auto components = complex.components_of(FaceId(f));
+      if (first[v.value] == kNone) first[v.value] = components;
+      if (first[v.value] != components) shared[v.value] = 1;
     }
   return shared;
 }
@@ -47,23 +49,32 @@ void find_shared(Corefined& out) {
   const Complex& complex = out.complex;
   const std::vector<std::uint8_t> shared = shared_vertices(complex);
 
-  std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> edge_uses;  // with the component
+  using Components = std::array<std::uint32_t, 2>;
+  std::vector<std::pair<std::array<VertexId, 2>, Components>> edge_uses;
   std::vector<std::pair<VertexId, std::uint32_t>> vertex_uses;
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    const Components components = complex.components_of(FaceId(f));
+    if (components[0] != components[1]) out.met.push_back(components);
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexId a = complex.face[f][k], b = complex.face[f][(k + 1) % 3];
-      if (shared[a.value]) vertex_uses.emplace_back(a, complex.component[f]);
-      if (shared[a.value] && shared[b.value])
-        edge_uses.push_back({{std::min(a, b), std::max(a, b)}, complex.component[f]});
+      if (shared[a.value])
+        for (const std::uint32_t c : components) vertex_uses.emplace_back(a, c);
+      if (shared[a.value] && shared[b.value]) edge_uses.push_back({{std::min(a, b), std::max(a, b)}, components});
     }
+  }
   make_distinct(edge_uses);
   make_distinct(vertex_uses);
 
   std::vector<std::uint8_t> on_edge(complex.n_vertices());
-  for_each_joined(complex.joins, edge_uses, [&](const std::array<VertexId, 2>& edge, std::span<const std::uint32_t>) {
+  for (std::size_t first = 0, last = 0; first < edge_uses.size(); first = last) {
+    const auto& edge = edge_uses[first].first;
+    std::vector<std::uint32_t> components;
+    for (; last < edge_uses.size() && edge_uses[last].first == edge; ++last)
+      components.insert(components.end(), edge_uses[last].second.begin(), edge_uses[last].second.end());
+    if (last - first < 2 || !any_joined(complex.joins, components)) continue;
     out.junction_edges.push_back(edge);
     for (const VertexId v : edge) on_edge[v.value] = 1;
-  });
+  }
   for_each_joined(complex.joins, vertex_uses, [&](VertexId v, std::span<const std::uint32_t> components) {
     if (!on_edge[v.value]) out.junction_points.push_back(v);
     for (std::size_t i = 0; i < components.size(); ++i)

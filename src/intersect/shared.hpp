@@ -9,7 +9,7 @@
 
 namespace meshgraft {
 
-/// By vertex: 1 if it has faces of several components.
+/// By vertex: 1 if its faces are not all of the same components.
 [[nodiscard]] std::vector<std::uint8_t> shared_vertices(const Complex& complex);
 
 /// Whether two of some components are joined.

@@ -75,6 +75,7 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
       at_edge_.push_back(u.local);
     }
     ends_.push_back({low, high});
+    n_at_edge_.push_back(static_cast<std::uint32_t>(at.size()));
     edge_feature_.push_back(feature);
   }
   first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));

@@ -42,6 +42,9 @@ class Side {
     return std::span(at_edge_).subspan(first_at_edge_[e], first_at_edge_[e + 1] - first_at_edge_[e]);
   }
 
+  /// All faces of this side at the edge, far ones too.
+  [[nodiscard]] std::uint32_t n_faces_at(LocalEdge e) const { return n_at_edge_[e]; }
+
   /// Free, sharp or non-manifold edges; their ends; pinned vertices.
   [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
   [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }
@@ -54,7 +57,7 @@ class Side {
   std::vector<std::array<VertexId, 3>> corners_;
   std::vector<std::array<LocalEdge, 3>> edges_;
   std::vector<std::array<VertexId, 2>> ends_;  // ascending
-  std::vector<std::uint32_t> first_at_edge_, first_at_vertex_;
+  std::vector<std::uint32_t> first_at_edge_, first_at_vertex_, n_at_edge_;
   std::vector<LocalFace> at_edge_, at_vertex_;
   std::vector<std::uint8_t> edge_feature_, vertex_feature_;
 };

@@ -100,6 +100,9 @@ class GroupSplicer {
     for (const Graft::JoinedNode& joined : s_.graft.joined_nodes)
       for (const GroupId g : sets.members(joined.groups))
         if (!is_member_already(joined.node, g)) gained_[g.value].nodes.push_back(s_.names.of(joined.node));
+    for (const Graft::JoinedElement& joined : s_.graft.joined_elements)
+      for (const GroupId g : sets.members(joined.groups))
+        gained_[g.value].elements.push_back(s_.names.of(joined.element));
     for (Gained& gained : gained_) {
       std::ranges::sort(gained.nodes), std::ranges::sort(gained.elements);
       gained.nodes.erase(std::ranges::unique(gained.nodes).begin(), gained.nodes.end());

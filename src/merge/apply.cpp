@@ -174,6 +174,11 @@ class Assembly {
       append(out_.nodes, model.nodes, model.first_node[first], model.first_node[last], ids, false);
     });
     first_of_input_.push_back(first_element);
+    for (const Graft::JoinedElement& j : graft_.joined_elements) {
+      if (j.element.input != k) continue;
+      GroupSetId& groups = out_.element_groups[id_of(j.element).value];
+      groups = out_.group_sets.unite(groups, j.groups);
+    }
     for (const ElementId e : labels_.shifted_elements[k])
       if (const ElementId id = id_of(ElementRef{k, e}); id.valid())
         out_.element_label[id.value] += labels_.element_shift[k];

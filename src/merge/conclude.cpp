@@ -8,6 +8,7 @@
 #include "merge/ledger.hpp"
 #include "merge/node_groups.hpp"
 #include "merge/outcome.hpp"
+#include "merge/overlaps.hpp"
 #include "merge/quality_summary.hpp"
 #include "merge/removal.hpp"
 #include "merge/report_summary.hpp"
@@ -57,7 +58,9 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   Report& report = merged.report;
   Graft& graft = merged.graft;
   report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
-  const Complex& final_complex = zone.remeshed.complex;
+  const bool two_layers = options.overlap == Overlap::kProject && !zone.remeshed.complex.layer.empty();
+  const Complex both = two_layers ? both_layers(zone.remeshed.complex, inputs, translated) : Complex{};
+  const Complex& final_complex = two_layers ? both : zone.remeshed.complex;
 
   watch.start("stitch", 0.8);
   const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
@@ -69,10 +72,13 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
 
   watch.start("check", 0.9);
   const Outcome outcome{inputs,   components, original,      corefined, final_complex,
-                        stitched, graft,      merged.labels, dropped};
+                        stitched, graft,      merged.labels, dropped,   two_layers};
   summarise(outcome, report);
   judge(outcome, zone.remeshed, translated, options, report);
-  Ledger ledger = ledger_of(inputs, graft, dropped);
+  Dropped overlaid = dropped;
+  add_losses(corefined, final_complex, two_layers, translated, graft, overlaid);
+  if (!two_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
+  Ledger ledger = ledger_of(inputs, graft, overlaid);
   report.groups = std::move(ledger.groups);
   append(report.broken_promises, std::move(ledger.broken));
   append(report.warnings, std::move(ledger.warnings));

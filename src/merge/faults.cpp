@@ -13,8 +13,8 @@ namespace {
 std::string hint_of(ErrorCode code) {
   switch (code) {
     case ErrorCode::kOverlap:
-      return "coplanar faces that overlap are not merged by this version; cut one of the meshes back to the border of "
-             "the other";
+      return "give a --tolerance clearly above the distance of the two surfaces there, or clearly below it; contact is "
+             "refused by --mode face-edge";
     case ErrorCode::kDegenerateFace:
       return "remove the face or give it an area; meshgraft check lists all of them";
     case ErrorCode::kDuplicateFace:

@@ -18,7 +18,11 @@ std::vector<EdgeUse> free_edges(const Complex& complex, std::span<const std::uin
   std::vector<EdgeUse> found;
   const std::vector<EdgeUse> uses = edge_uses(complex, wanted);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    if (edge.size() == 1) found.push_back(edge[0]);
+    // Two layers on the same nodes end together.
+    const auto on_the_same = [&](const EdgeUse& use) {
+      return std::ranges::is_permutation(complex.face[use.face.value], complex.face[edge[0].face.value]);
+    };
+    if (std::ranges::all_of(edge, on_the_same)) found.push_back(edge[0]);
   });
   return found;
 }
@@ -78,6 +82,12 @@ std::vector<std::uint8_t> changed_before(const Outcome& outcome, std::span<const
   return marked;
 }
 
+/// A face that lay on another mesh and was deleted, or that another one stands for now, has left its
+/// free edges to that mesh.
+bool went_with_its_face(const Outcome& outcome, ElementRef face) {
+  return std::ranges::binary_search(outcome.corefined.covered, face, {}, &Corefined::Covered::face);
+}
+
 }  // namespace
 
 FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance, double max_distance) {
@@ -107,7 +117,8 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   for (const EdgeUse& e : new_edges)
     if (!matches(after, e, old_keys, was_free)) changes.cracks.push_back(e);
   for (const EdgeUse& e : old_edges)
-    if (!matches(before, e, new_keys, is_free)) changes.closed.push_back(e);
+    if (!matches(before, e, new_keys, is_free) && !went_with_its_face(outcome, before.parent[e.face.value]))
+      changes.closed.push_back(e);
   return changes;
 }
 

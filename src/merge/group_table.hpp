@@ -27,6 +27,7 @@ class SetTranslation {
   SetTranslation(Inputs inputs, const GroupTable& table, GroupSets& merged);
 
   GroupSetId operator()(std::uint32_t input, GroupSetId set);
+  GroupSetId unite(GroupSetId a, GroupSetId b) { return merged_->unite(a, b); }
   /// Groups of an element, or of a node, of an input.
   GroupSetId of(ElementRef e) { return (*this)(e.input, inputs_[e.input]->element_groups[e.element.value]); }
   GroupSetId of(NodeRef n) { return (*this)(n.input, inputs_[n.input]->node_groups[n.node.value]); }

@@ -47,7 +47,7 @@ class Chainer {
 
   PolylineSummary walk(std::uint32_t e, VertexId start) {
     PolylineSummary line;
-    line.kind = edges_[e].crossing ? "crossing" : "touching";
+    line.kind = edges_[e].name();
     line.components = edges_[e].components;
     line.nodes = 1;
     VertexId before, v = start, second;
@@ -99,8 +99,17 @@ Junction junction_of(const Complex& complex) {
   const std::vector<EdgeUse> uses = edge_uses(complex, shared);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     JunctionEdge e{{edge[0].low, edge[0].high}, {}};
-    for (const EdgeUse& use : edge) e.components.push_back(complex.component[use.face.value]);
-    e.crossing = each_occurs_twice(e.components);
+    bool alike = true, overlaid = false;
+    for (const EdgeUse& use : edge) {
+      const auto of = complex.components_of(use.face);
+      e.components.push_back(of[0]);
+      if (of[1] != of[0]) e.components.push_back(of[1]), overlaid = true;
+      alike = alike && of == complex.components_of(edge[0].face);
+    }
+    if (alike) return;
+    e.kind = overlaid                          ? JunctionEdge::kOverlap
+             : each_occurs_twice(e.components) ? JunctionEdge::kCrossing
+                                               : JunctionEdge::kTouching;
     make_distinct(e.components);
     if (!any_joined(complex.joins, e.components)) return;
     for (const VertexId v : e.ends) on_edge[v.value] = 1;

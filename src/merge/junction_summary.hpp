@@ -9,14 +9,21 @@
 
 namespace meshgraft {
 
-/// An edge of the final complex with faces of several components that are joined.
+/// An edge of the final complex in which components meet that are joined: its faces are not all of the same ones.
 struct JunctionEdge {
   std::array<VertexId, 2> ends;           // ascending
   std::vector<std::uint32_t> components;  // ascending
-  bool crossing = false;                  // each component has two faces or more on it
+  enum Kind {
+    kCrossing,  // each component has two faces or more on it
+    kTouching,
+    kOverlap,  // around an area in which they lie on each other
+  } kind = kTouching;
+  [[nodiscard]] const char* name() const {
+    return kind == kCrossing ? "crossing" : kind == kTouching ? "touching" : "overlap";
+  }
   /// Whether a polyline may go on from one to the other.
   [[nodiscard]] bool continues(const JunctionEdge& next) const {
-    return components == next.components && crossing == next.crossing;
+    return components == next.components && kind == next.kind;
   }
 };
 

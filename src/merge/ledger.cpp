@@ -82,7 +82,7 @@ std::vector<Sum> sums_of(const Model& model) {
 /// What the graft adds to and takes from the merged groups.
 struct Change {
   std::vector<Sum> sum;
-  std::vector<std::uint8_t> inherited, reduced, joined;  // by merged group: whether it happened
+  std::vector<std::uint8_t> inherited, reduced, joined, overlaid;  // by merged group: whether it happened
 };
 
 class ChangeCounter {
@@ -90,7 +90,7 @@ class ChangeCounter {
   ChangeCounter(Inputs inputs, const Graft& graft) : inputs_(inputs), graft_(graft) {
     const std::size_t n = graft.groups.size();
     change_.sum.resize(n);
-    change_.inherited.resize(n), change_.reduced.resize(n), change_.joined.resize(n);
+    change_.inherited.resize(n), change_.reduced.resize(n), change_.joined.resize(n), change_.overlaid.resize(n);
     for (const Model* model : inputs) merged_of_.emplace_back(model->groups.size());
     for (std::size_t g = 0; g < n; ++g)
       for (const MergedGroup::From from : graft.groups[g].from) merged_of_[from.input][from.group.value] = GroupId(g);
@@ -110,6 +110,8 @@ class ChangeCounter {
     }
     for (const NewNode& n : graft_.new_nodes) give(n.groups, node(), change_.inherited);
     for (const Graft::JoinedNode& j : graft_.joined_nodes) give(j.groups, node(), change_.joined);
+    for (const Graft::JoinedElement& j : graft_.joined_elements)
+      give(j.groups, element(*inputs_[j.element.input], j.element.element), change_.overlaid);
     return std::move(change_);
   }
 
@@ -160,6 +162,7 @@ std::string rule_of(const Change& change, const Dropped& dropped, std::size_t g,
   if (change.inherited[g] == 0 && change.reduced[g] != 0 && !dropped.touches(GroupId(g)))
     rules.emplace_back("removed with their surroundings");
   if (change.joined[g] != 0) rules.emplace_back("joined by nodes that took another's place");
+  if (change.overlaid[g] != 0) rules.emplace_back("joined by elements that stand for overlaid ones too");
   if (rules.empty()) return "untouched";
   std::string text = rules.front();
   for (std::size_t k = 1; k < rules.size(); ++k) text += "; " + rules[k];

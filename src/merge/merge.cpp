@@ -9,6 +9,7 @@
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"
 #include "merge/group_table.hpp"
+#include "merge/overlaps.hpp"
 #include "merge/remesh_zone.hpp"
 #include "merge/report_summary.hpp"
 #include "merge/stopwatch.hpp"
@@ -71,10 +72,13 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   CorefineOptions corefine_options;
   corefine_options.tolerance = options.tolerance;
   corefine_options.contact_angle = options.contact_angle;
+  corefine_options.mode = options.mode, corefine_options.overlap = options.overlap;
   auto corefined = corefine(original, graft.group_sets, corefine_options);
   if (!corefined) return Failure(to_error(inputs, corefined.error()));
   if (const auto ok = check_parts_meet(inputs, *components, *corefined, options, report); !ok)
     return Failure(ok.error());
+
+  if (const auto ok = check_something_left(inputs, original, *corefined); !ok) return Failure(ok.error());
 
   Dropped dropped;
   if (options.trim) report.dropped = trim(*corefined, *options.trim, graft, dropped);

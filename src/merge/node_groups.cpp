@@ -1,7 +1,6 @@
 #include "merge/node_groups.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 namespace meshgraft {
@@ -89,13 +88,6 @@ void require_covering(Inputs inputs, SetTranslation& translated, Graft& graft, s
   }
 }
 
-GroupSetId difference(GroupSets& sets, GroupSetId all, GroupSetId own) {
-  if (sets.is_subset(all, own)) return GroupSets::kEmpty;
-  std::vector<GroupId> beyond;
-  std::ranges::set_difference(sets.members(all), sets.members(own), std::back_inserter(beyond));
-  return sets.intern(std::move(beyond));
-}
-
 }  // namespace
 
 void assign_node_groups(Inputs inputs, SetTranslation& translated, const Complex& final_complex,
@@ -116,7 +108,7 @@ void assign_node_groups(Inputs inputs, SetTranslation& translated, const Complex
       graft.new_nodes[node.node.value].groups = all;
       continue;
     }
-    const GroupSetId beyond = difference(sets, all, translated.of(node));
+    const GroupSetId beyond = sets.subtract(all, translated.of(node));
     if (beyond == GroupSets::kEmpty || std::ranges::binary_search(graft.removed_nodes[node.input], node.node)) continue;
     graft.joined_nodes.push_back({node, beyond});
   }

@@ -24,6 +24,7 @@ struct Outcome {
   const Graft& graft;
   const Labels& labels;
   const Dropped& dropped;
+  bool two_layers = false;  // of faces on the same nodes, where inputs lie on each other
 
   [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }
   /// New, or kept with a corner at another place.

@@ -73,13 +73,19 @@ class ResultCheck {
     return met;
   }
 
+  /// One of the layers lies on the other, as was asked for: on the same nodes, of two inputs.
+  bool are_two_layers(FaceId f, FaceId g) const {
+    return outcome_.two_layers && complex_.component[f.value] != complex_.component[g.value] &&
+           std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
+  }
+
   void intersections() {
     const auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
     if (pairs.empty()) return;
     const std::vector<ParentPair> excused = met_before();
     Findings findings(errors_, limits_.max_listed);
     for (const auto& pair : pairs)
-      if (!std::ranges::binary_search(excused, parents_of(complex_, pair)))
+      if (!std::ranges::binary_search(excused, parents_of(complex_, pair)) && !are_two_layers(pair[0], pair[1]))
         findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",
                      outcome_.parent_place(pair[0]));
   }
@@ -95,7 +101,8 @@ class ResultCheck {
     Findings findings(errors_, limits_.max_listed);
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
-      if (keys[k - 1].first == keys[k].first && (outcome_.is_changed(a) || outcome_.is_changed(b)))
+      if (keys[k - 1].first != keys[k].first || (!outcome_.is_changed(a) && !outcome_.is_changed(b))) continue;
+      if (!are_two_layers(a, b))
         findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
                      outcome_.parent_place(b));
     }
@@ -128,7 +135,10 @@ class ResultCheck {
       if (dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
         turned.add(outcome_.text(f) + " is turned against " + text_of(outcome_.inputs, parent) + ", which it replaces",
                    outcome_.parent_place(f));
-      if (complex_.face_groups[k] != translated_.of(parent))
+      const ElementRef beneath = complex_.layer_of(f).parent;
+      GroupSetId wanted = translated_.of(parent);
+      if (beneath.valid() && !outcome_.two_layers) wanted = translated_.unite(wanted, translated_.of(beneath));
+      if (complex_.face_groups[k] != wanted)
         groups.add(
             outcome_.text(f) + " is not in the groups of " + text_of(outcome_.inputs, parent) + ", which it replaces",
             outcome_.parent_place(f));

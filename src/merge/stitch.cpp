@@ -167,6 +167,7 @@ class Stitcher {
         kept_.push_back(final_.parent[f]);
       else
         fresh.emplace_back(final_.parent[f], f);
+      if (kept && final_.layer_of(FaceId(f)).parent.valid()) join_groups(f);
       out_.changed[f] = !kept || is_moved_face(f) ? 1 : 0;
     }
     for (std::uint32_t k = 0; k < final_.lines.size(); ++k)
@@ -174,12 +175,25 @@ class Stitcher {
         kept_.push_back(final_.lines[k].parent);
       else
         fresh.emplace_back(final_.lines[k].parent, n_faces + k);
+    std::ranges::sort(graft_.joined_elements, {}, &Graft::JoinedElement::element);
     std::sort(fresh.begin(), fresh.end());
     make_set(kept_);
     for (const auto& [parent, item] : fresh) {
       if (item < n_faces) out_.new_element[item] = static_cast<std::uint32_t>(new_items_.size());
       new_items_.push_back(item);
     }
+  }
+
+  /// A kept face that stands for another one too is in the groups of that as well.
+  void join_groups(std::size_t f) {
+    const ElementRef parent = final_.parent[f];
+    if (faces_of_inputs_.empty())
+      for (std::size_t k = 0; k < original_.n_faces(); ++k)
+        faces_of_inputs_.emplace_back(original_.parent[k], original_.face_groups[k]);
+    std::ranges::sort(faces_of_inputs_);
+    const auto own = std::ranges::lower_bound(faces_of_inputs_, parent, {}, &std::pair<ElementRef, GroupSetId>::first);
+    const GroupSetId beyond = graft_.group_sets.subtract(final_.face_groups[f], own->second);
+    if (beyond != GroupSets::kEmpty) graft_.joined_elements.push_back({parent, beyond});
   }
 
   std::span<const VertexId> vertices_of(std::uint32_t item) const {
@@ -263,10 +277,11 @@ class Stitcher {
   Graft& graft_;
 
   Stitched out_;
-  std::vector<std::pair<NodeRef, VertexId>> vertex_of_;  // ascending; identified vertices
-  std::vector<Swap> swaps_;                              // ascending
-  std::vector<ElementRef> kept_;                         // ascending
-  std::vector<std::uint32_t> new_items_;                 // faces, then lines; in the order of new_elements
+  std::vector<std::pair<NodeRef, VertexId>> vertex_of_;             // ascending; identified vertices
+  std::vector<std::pair<ElementRef, GroupSetId>> faces_of_inputs_;  // ascending, filled when needed
+  std::vector<Swap> swaps_;                                         // ascending
+  std::vector<ElementRef> kept_;                                    // ascending
+  std::vector<std::uint32_t> new_items_;                            // faces, then lines; in the order of new_elements
 };
 
 }  // namespace

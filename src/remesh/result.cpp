@@ -134,16 +134,23 @@ class Writer {
     const LocalVertex& v = mesh().vertex(id);
     if (!v.curve.valid()) {
       const FaceId f = editor_.reference().project(v.sheet, v.position, v.beneath).face;
-      return common_groups(complex_.face[f.value], complex_.component[f.value]);
+      return common_groups(complex_.face[f.value], f);
     }
     const auto& chain = brep_.curves[v.curve.value].chain;
     const auto edge = std::span(chain).subspan(editor_.reference().edge(v.curve, v.arc), 2);
     GroupSetId all = GroupSets::kEmpty;
     for (const FaceId f : mesh().star(id)) {
       const FaceId beneath = mesh().sheet(mesh().face(f).sheet).faces.front();
-      all = groups_.unite(all, common_groups(edge, complex_.component[beneath.value]));
+      all = groups_.unite(all, common_groups(edge, beneath));
     }
     return all;
+  }
+
+  /// On the components of a face.
+  GroupSetId common_groups(std::span<const VertexId> vertices, FaceId f) {
+    const GroupSetId own = common_groups(vertices, complex_.component[f.value]);
+    const Complex::Layer layer = complex_.layer_of(f);
+    return layer.parent.valid() ? groups_.unite(own, common_groups(vertices, layer.component)) : own;
   }
 
   GroupSetId common_groups(std::span<const VertexId> vertices, std::uint32_t component) {

@@ -10,11 +10,14 @@
 namespace meshgraft {
 namespace {
 
+/// What two faces of one sheet have in common: component, attributes, groups; the same of the layer.
+using FaceKey = std::tuple<std::uint32_t, AttributesId, GroupSetId, std::uint32_t, AttributesId, GroupSetId>;
+
 /// What an edge bounds and carries.
 struct Kind {
   bool junction = false, fixed = false;
-  std::vector<std::tuple<std::uint32_t, AttributesId, GroupSetId>> faces;  // component first; ascending
-  std::vector<std::tuple<AttributesId, GroupSetId>> lines;                 // ascending
+  std::vector<FaceKey> faces;                               // ascending
+  std::vector<std::tuple<AttributesId, GroupSetId>> lines;  // ascending
   friend auto operator<=>(const Kind&, const Kind&) = default;
 };
 
@@ -70,8 +73,14 @@ class Classifier {
   }
 
  private:
-  [[nodiscard]] std::tuple<std::uint32_t, AttributesId, GroupSetId> face_key(FaceId f) const {
-    return {complex_.component[f.value], complex_.face_attributes[f.value], complex_.face_groups[f.value]};
+  [[nodiscard]] FaceKey face_key(FaceId f) const {
+    const Complex::Layer layer = complex_.layer_of(f);
+    return {complex_.component[f.value],
+            complex_.face_attributes[f.value],
+            complex_.face_groups[f.value],
+            layer.component,
+            layer.attributes,
+            layer.groups};
   }
 
   const Complex& complex_;

@@ -13,7 +13,8 @@ InputFaces::InputFaces(const Corefined& corefined)
       parents_(complex_),
       faces_at_(complex_),
       touched_(parents_.size(), 0),
-      frozen_(parents_.size(), 0) {
+      frozen_(parents_.size(), 0),
+      kept_(parents_.size(), 0) {
   mean_edge_length_.reserve(size());
   for (std::uint32_t i = 0; i < size(); ++i)
     mean_edge_length_.push_back(pieces(i).size() == 1 ? meshgraft::mean_edge_length(complex_.corners(pieces(i).front()))
@@ -21,6 +22,7 @@ InputFaces::InputFaces(const Corefined& corefined)
   for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
     const std::uint32_t i = parents_.of_face[f];
     if (corefined.touched[f]) touched_[i] = 1;
+    if (!corefined.kept.empty() && corefined.kept[f]) kept_[i] = pieces(i).size() == 1;
     for (const VertexId v : complex_.face[f])
       if (complex_.state[v.value] == VertexState::kFrozen) frozen_[i] = 1;
   }

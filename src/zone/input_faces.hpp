@@ -24,6 +24,8 @@ class InputFaces {
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
+  /// It lies in an area of contact that stays as it is, and was not cut.
+  [[nodiscard]] bool kept(std::uint32_t i) const { return kept_[i] != 0; }
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
 
@@ -46,7 +48,7 @@ class InputFaces {
   const Complex& complex_;
   Parents parents_;
   VertexFaces faces_at_;
-  std::vector<std::uint8_t> touched_, frozen_;
+  std::vector<std::uint8_t> touched_, frozen_, kept_;
   std::vector<double> mean_edge_length_;
 };
 

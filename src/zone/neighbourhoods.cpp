@@ -109,7 +109,7 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
         if (std::exchange(seen[j], 1)) return;
         if (taken[j])
           next.push_back(j);
-        else if (ring[j] > 0 && !inputs.frozen(j))
+        else if (ring[j] > 0 && !inputs.frozen(j) && !inputs.kept(j))
           result.push_back(j);
       });
     front = std::exchange(next, {});
@@ -139,7 +139,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   zone.in_zone.assign(corefined.complex.n_faces(), 0);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
     const std::uint32_t i = inputs.of(FaceId(f));
-    zone.in_zone[f] = left[i] > 0 && !inputs.frozen(i) ? 1 : 0;
+    zone.in_zone[f] = left[i] > 0 && !inputs.frozen(i) && !inputs.kept(i) ? 1 : 0;
   }
   return zone;
 }

@@ -87,9 +87,11 @@ TEST(CorefinePair, FacesThatMissEachOtherStayAsTheyAre) {
   EXPECT_TRUE(j.result->met.empty());
 }
 
-TEST(CorefinePair, CoplanarFacesThatShareAreaAreAFault) {
+TEST(CorefinePair, CoplanarFacesThatShareAreaAreAFaultWhereOnlyCrossingIsAskedFor) {
+  CorefineOptions options;
+  options.mode = Mode::kFaceEdge;
   for (const double height : {0.0, 1e-9, 0.004}) {
-    const Joined j = join({ground(), face({1, 1, height}, {2, 1, height}, {1, 2, height})});
+    const Joined j = join({ground(), face({1, 1, height}, {2, 1, height}, {1, 2, height})}, options);
     ASSERT_FALSE(j.result);
     EXPECT_EQ(j.result.error().code, ErrorCode::kOverlap);
     EXPECT_EQ(j.result.error().elements.size(), 2u);
@@ -97,8 +99,10 @@ TEST(CorefinePair, CoplanarFacesThatShareAreaAreAFault) {
   }
 }
 
-TEST(CorefinePair, ADoublerWithinTheToleranceIsAFault) {
-  const Joined j = join({wall(), plate({2.3, 2.3, 0.006}, {4, 0, 0}, {0, 4, 0}, 0.8)});
+TEST(CorefinePair, ADoublerWithinTheToleranceIsAFaultWhereOnlyCrossingIsAskedFor) {
+  CorefineOptions options;
+  options.mode = Mode::kFaceEdge;
+  const Joined j = join({wall(), plate({2.3, 2.3, 0.006}, {4, 0, 0}, {0, 4, 0}, 0.8)}, options);
   ASSERT_FALSE(j.result);
   EXPECT_EQ(j.result.error().code, ErrorCode::kOverlap);
 }

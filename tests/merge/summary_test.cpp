@@ -22,8 +22,9 @@ struct Net {
     complex.add_vertex(p, {}, VertexState::kOpen, GroupSets::kEmpty);
     return complex.n_vertices() - 1;
   }
-  void join(std::size_t a, std::size_t b, std::vector<std::uint32_t> inputs = {0, 1}, bool crossing = false) {
-    junction.edges.push_back({{VertexId(std::min(a, b)), VertexId(std::max(a, b))}, std::move(inputs), crossing});
+  void join(std::size_t a, std::size_t b, std::vector<std::uint32_t> inputs = {0, 1},
+            JunctionEdge::Kind kind = JunctionEdge::kTouching) {
+    junction.edges.push_back({{VertexId(std::min(a, b)), VertexId(std::max(a, b))}, std::move(inputs), kind});
   }
   std::vector<PolylineSummary> lines() {
     std::ranges::sort(junction.edges, {}, &JunctionEdge::ends);
@@ -70,7 +71,7 @@ TEST(JunctionSummary, LinesEndAtBranchesAndWhereOtherInputsMeet) {
 TEST(JunctionSummary, LinesEndWhereAPartNoLongerGoesThrough) {
   Net net;
   const auto a = net.add({0, 0, 0}), b = net.add({1, 0, 0}), c = net.add({2, 0, 0});
-  net.join(a, b, {0, 1}, true), net.join(b, c, {0, 1}, false);
+  net.join(a, b, {0, 1}, JunctionEdge::kCrossing), net.join(b, c, {0, 1}, JunctionEdge::kTouching);
   const auto lines = net.lines();
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0].kind, "crossing");

@@ -16,9 +16,13 @@ struct Merge {
   double min_q = 0.5;   // the least Q that the input angles allow
   double mean_q = 0.9;  // 0.85 where sizes grade
   bool apart = false;   // the part misses the base
+  MergeOptions options;
 };
 
 /// All of them; names are stable and usable as file names.
 [[nodiscard]] std::vector<Merge> catalogue();
+
+/// Merges of meshes that lie on each other (face/face mode).
+[[nodiscard]] std::vector<Merge> contact_catalogue();
 
 }  // namespace meshgraft::scenes

@@ -1,0 +1,196 @@
+#include "intersect/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kBeside = 0.1;   // of the edge length: largest shift along a surface
+constexpr double kMost = 0.5;     // share of a common area within the gap from which faces lie on each other
+constexpr double kNoArea = 1e-6;  // share of the smaller face below which a common area is none
+constexpr double kLeaning = 0.3;  // of the height: how far beside a border a point may be that lies above it
+
+/// The part of a convex polygon where `inside` (linear) is not negative.
+template <class F>
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, F&& inside) {
+  std::vector<Vec3> left;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double at_a = inside(a), at_b = inside(b);
+    if (at_a >= 0) left.push_back(a);
+    if ((at_a < 0) != (at_b < 0)) left.push_back(lerp(a, b, at_a / (at_a - at_b)));
+  }
+  return left;
+}
+
+double area_of(const std::vector<Vec3>& polygon) {
+  Vec3 sum;
+  for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  return 0.5 * norm(sum);
+}
+
+/// The part of `u` over `t`, seen along the normal of t.
+std::vector<Vec3> part_over(const Triangle& u, const Triangle& t) {
+  const Vec3 n = unit_normal(t);
+  std::vector<Vec3> polygon(u.begin(), u.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 a = t[k], inward = cross(n, t[(k + 1) % 3] - a);
+    polygon = clipped(polygon, [&](Vec3 p) { return dot(inward, p - a); });
+  }
+  return polygon;
+}
+
+std::vector<Vec3> within(std::vector<Vec3> polygon, const Triangle& t, double gap) {
+  const Vec3 n = unit_normal(t);
+  polygon = clipped(polygon, [&](Vec3 p) { return gap - dot(n, p - t[0]); });
+  return clipped(polygon, [&](Vec3 p) { return gap + dot(n, p - t[0]); });
+}
+
+/// Area that two faces share, and the part of it within the gap.
+struct CommonArea {
+  double whole = 0, within = 0;
+  void add(const CommonArea& other) { whole += other.whole, within += other.within; }
+  [[nodiscard]] bool lies_on() const { return whole > 0 && within >= kMost * whole; }
+};
+
+CommonArea common_area(const Triangle& t, const Triangle& u, double gap) {
+  const std::vector<Vec3> shared = part_over(u, t);
+  const double whole = area_of(shared);
+  if (whole <= kNoArea * std::min(area(t), area(u))) return {};
+  return {whole, area_of(within(shared, t, gap))};
+}
+
+struct Boxed {
+  std::vector<FaceId> faces;
+  std::vector<Box> boxes;
+  Box all;
+};
+
+Boxed boxed(const Complex& complex, std::span<const FaceId> faces, const Box* in, std::span<const double> size,
+            const ContactRule& rule) {
+  Boxed found;
+  for (const FaceId f : faces) {
+    Box box;
+    for (const Vec3 p : complex.corners(f)) box.add(p);
+    box = box.grown(rule.gap(size[f.value]));
+    if (in != nullptr && !in->overlaps(box)) continue;
+    found.faces.push_back(f), found.boxes.push_back(box), found.all.add(box);
+  }
+  return found;
+}
+
+}  // namespace
+
+double ContactRule::gap(double size) const { return std::max(options.tolerance.at(size), weld(size)); }
+
+double ContactRule::beside(double size) const {
+  return std::max(std::min(options.tolerance.at(size), kBeside * size), weld(size));
+}
+
+bool ContactRule::is_flat(Vec3 unit_normal, Vec3 other) const {
+  return std::abs(dot(unit_normal, other)) > std::cos(options.contact_angle);
+}
+
+Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, std::span<const FaceId> second,
+                       std::span<const double> size, const ContactRule& rule) {
+  const Boxed b = boxed(complex, second, nullptr, size, rule);
+  const Boxed a = boxed(complex, first, &b.all, size, rule);
+  const BoxTree tree(b.boxes);
+  struct Found {
+    std::array<FaceId, 2> pair;
+    CommonArea area;
+  };
+  std::vector<Found> found;
+  std::map<FaceId, CommonArea> of_face;
+  for (std::size_t i = 0; i < a.faces.size(); ++i) {
+    const Triangle t = complex.corners(a.faces[i]);
+    const Vec3 n = unit_normal(t);
+    tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
+      const FaceId f = a.faces[i], g = b.faces[j];
+      const Triangle u = complex.corners(g);
+      if (!rule.is_flat(n, unit_normal(u))) return;
+      const double gap = rule.gap(std::min(size[f.value], size[g.value]));
+      if (within({u.begin(), u.end()}, t, gap).empty()) return;
+      found.push_back({{f, g}, common_area(t, u, gap)});
+    });
+  }
+  std::ranges::sort(found, {}, &Found::pair);
+  for (const Found& f : found)
+    for (const FaceId face : f.pair) of_face[face].add(f.area);
+  Contacts contacts;
+  for (const Found& f : found) {
+    contacts.pairs.push_back(f.pair);
+    // Planes that cross are near each other along a strip: a face lies on the other side as a whole.
+    const bool lie = f.area.lies_on() && of_face[f.pair[0]].lies_on() && of_face[f.pair[1]].lies_on();
+    contacts.on_each_other.push_back(lie ? 1 : 0);
+  }
+  return contacts;
+}
+
+Cover::Cover(std::vector<Triangle> faces, std::vector<double> size, std::span<const std::array<VertexId, 3>> corners)
+    : faces_(std::move(faces)), size_(std::move(size)), border_edge_(faces_.size()), border_corner_(faces_.size()) {
+  std::vector<Box> boxes(faces_.size());
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (const Vec3 p : faces_[f]) boxes[f].add(p);
+  tree_ = BoxTree(boxes);
+  find_border(corners);
+}
+
+void Cover::find_border(std::span<const std::array<VertexId, 3>> corners) {
+  struct Use {
+    std::array<VertexId, 2> ends;
+    std::size_t face = 0, edge = 0;
+  };
+  std::vector<Use> uses;
+  for (std::size_t f = 0; f < corners.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[f][k], corners[f][(k + 1) % 3]);
+      uses.push_back({{low, high}, f, k});
+    }
+  std::ranges::sort(uses, {}, &Use::ends);
+  std::vector<VertexId> on_border;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const bool alone =
+        (i == 0 || uses[i - 1].ends != uses[i].ends) && (i + 1 == uses.size() || uses[i + 1].ends != uses[i].ends);
+    if (!alone) continue;
+    border_edge_[uses[i].face][uses[i].edge] = 1;
+    on_border.insert(on_border.end(), uses[i].ends.begin(), uses[i].ends.end());
+  }
+  std::ranges::sort(on_border);
+  for (std::size_t f = 0; f < corners.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      border_corner_[f][k] = std::ranges::binary_search(on_border, corners[f][k]) ? 1 : 0;
+}
+
+Cover::Foot Cover::foot(Vec3 p) const {
+  const auto nearest =
+      tree_.nearest(p, [&](std::uint32_t f) { return squared_norm(p - closest_on_triangle(p, faces_[f]).point); });
+  const TrianglePoint at = closest_on_triangle(p, faces_[nearest.item]);
+  Foot foot;
+  foot.face = nearest.item;
+  foot.point = at.point;
+  const Vec3 n = unit_normal(faces_[nearest.item]);
+  foot.height = dot(n, p - foot.point);
+  foot.beside = norm(p - foot.point - foot.height * n);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool at_corner = at.weight[k] >= 1;
+    const bool on_edge = at.weight[(k + 2) % 3] <= 0;  // from corner k to the next
+    if ((at_corner && border_corner_[foot.face][k]) || (on_edge && border_edge_[foot.face][k])) foot.on_border = true;
+  }
+  return foot;
+}
+
+bool Cover::covers(Vec3 p, Vec3 unit_normal, const ContactRule& rule) const {
+  if (empty()) return false;
+  const Foot at = foot(p);
+  const double size = size_[at.face], off = rule.weld(size) + kLeaning * std::abs(at.height);
+  return std::abs(at.height) <= rule.gap(size) && (!at.on_border || at.beside <= off) &&
+         rule.is_flat(unit_normal, meshgraft::unit_normal(faces_[at.face]));
+}
+
+}  // namespace meshgraft

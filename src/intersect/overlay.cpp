@@ -1,0 +1,289 @@
+#include "intersect/overlay.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/quality.hpp"
+#include "intersect/flat_faces.hpp"
+#include "intersect/links.hpp"
+#include "intersect/lying.hpp"
+
+namespace meshgraft {
+namespace {
+
+std::array<VertexId, 2> edge_of(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
+template <class T>
+void make_distinct(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Faces joined across edges that are not walls.
+class Regions {
+ public:
+  Regions(const Complex& complex, std::span<const FaceId> faces, const std::vector<std::array<VertexId, 2>>& walls)
+      : region_(faces.size()) {
+    std::iota(region_.begin(), region_.end(), 0u);
+    std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> uses;
+    for (std::uint32_t i = 0; i < faces.size(); ++i) {
+      const auto& v = complex.face[faces[i].value];
+      for (std::size_t k = 0; k < 3; ++k) uses.emplace_back(edge_of(v[k], v[(k + 1) % 3]), i);
+    }
+    std::sort(uses.begin(), uses.end());
+    for (std::size_t i = 1; i < uses.size(); ++i)
+      if (uses[i].first == uses[i - 1].first && !std::binary_search(walls.begin(), walls.end(), uses[i].first))
+        unite(uses[i - 1].second, uses[i].second);
+    for (std::uint32_t i = 0; i < region_.size(); ++i) region_[i] = root(i);
+  }
+  /// By position in `faces`; the smallest position stands for the region.
+  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return region_[i]; }
+
+ private:
+  std::uint32_t root(std::uint32_t i) {
+    while (region_[i] != i) i = region_[i] = region_[region_[i]];
+    return i;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = root(a), b = root(b);
+    region_[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::uint32_t> region_;
+};
+
+class Overlayer {
+ public:
+  Overlayer(Complex& complex, GroupSets& groups, FaceMarks& marks, const Sides& sides, const SnapRule& snap,
+            const CorefineOptions& options)
+      : complex_(complex), groups_(groups), marks_(marks), sides_(sides), rule_{options, snap} {}
+
+  tl::expected<Overlaid, ImprintFault> run() {
+    const Contacts contacts = find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_);
+    if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
+      return Overlaid{};
+
+    LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
+                                sides_.own[1], rule_.options.sharp_angle, faces_beside(contacts)),
+                   rule_,
+                   rule_.options.overlap == Overlap::kKeepPart ? 1u : 0u,
+                   takes_over(),
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {}};
+    set_up(l, contacts);
+    find_imprinted(l);
+    declare_lying(l);
+    if (auto fault = trace_imprinted(l)) return failed(std::move(*fault));
+    const std::array<Imprint, 2> imprint = imprint_of(l);
+    if (auto fault = apply(l.meeting, imprint, marks_)) {
+      if (fault->face.valid()) fault->face = marks_.from[fault->face.value];
+      return tl::unexpected(std::move(*fault));
+    }
+    out_.any = true;
+    move_vertices(l);
+    take_out_flat(l);
+    take_out(l);
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] bool takes_over() const {
+    return rule_.options.overlap == Overlap::kFuse || rule_.options.overlap == Overlap::kProject;
+  }
+
+  static tl::unexpected<ImprintFault> failed(JunctionFault fault) {
+    return tl::unexpected(ImprintFault{std::move(fault), {}});
+  }
+
+  /// Faces of both sides that have an edge with a face in contact: what is imprinted on the edge cuts
+  /// them too.
+  [[nodiscard]] std::array<std::vector<FaceId>, 2> faces_beside(const Contacts& contacts) const {
+    std::array<std::vector<FaceId>, 2> beside;
+    for (const std::size_t s : kSides) {
+      std::vector<std::uint8_t> near(complex_.n_vertices());
+      for (const auto& pair : contacts.pairs)
+        for (const VertexId v : complex_.face[pair[s].value]) near[v.value] = 1;
+      for (const FaceId f : sides_.faces[s]) {
+        const auto& v = complex_.face[f.value];
+        if (near[v[0].value] + near[v[1].value] + near[v[2].value] >= 2) beside[s].push_back(f);
+      }
+    }
+    return beside;
+  }
+
+  void set_up(LyingMeeting& l, const Contacts& contacts) const {
+    for (const std::size_t s : kSides) {
+      l.meeting.chart[s] = complex_.position;
+      l.is_flat[s].assign(l.meeting.side[s].n_faces(), 0);
+      l.in_contact[s].assign(l.meeting.side[s].n_faces(), 0);
+    }
+    for (std::size_t i = 0; i < contacts.pairs.size(); ++i) {
+      for (const std::size_t s : kSides) l.is_flat[s][l.meeting.pairs[i][s]] = 1;
+      if (!contacts.on_each_other[i]) continue;
+      l.pairs.push_back(l.meeting.pairs[i]);
+      for (const std::size_t s : kSides) l.in_contact[s][l.meeting.pairs[i][s]] = 1;
+    }
+    for (const std::size_t s : kSides) build_cover(l, s);
+  }
+
+  static std::array<Imprint, 2> imprint_of(const LyingMeeting& l) {
+    std::array<Imprint, 2> imprint = collect_points(l.meeting);
+    for (const std::size_t s : kSides) {
+      imprint[s].segments = l.segments[s];
+      make_distinct(imprint[s].segments);
+      for (const Symbol& symbol : l.meeting.symbols) touch(l.meeting, symbol, s, imprint[s].touched);
+    }
+    return imprint;
+  }
+
+  static void touch(const Meeting& m, const Symbol& symbol, std::size_t s, std::vector<std::uint8_t>& touched) {
+    const Carrier& on = symbol.on[s];
+    if (on.kind == Carrier::kFace) touched[on.id] = 1;
+    if (on.kind == Carrier::kEdge)
+      for (const LocalFace f : m.side[s].faces_at_edge(on.id)) touched[f] = 1;
+  }
+
+  /// What both sides have lies in the surface that stays.
+  void move_vertices(const LyingMeeting& l) {
+    for (const Symbol& symbol : l.meeting.symbols) {
+      Vec3& position = complex_.position[symbol.vertex.value];
+      const Vec3 to = l.at(l.stays, symbol.vertex);
+      if (distance(position, to) <= rule_.snap.noise()) continue;
+      out_.moved.emplace_back(symbol.vertex, position);
+      position = to;
+    }
+    out_.replaced = l.meeting.replaced;
+  }
+
+  /// Slivers beside the border lose their area where their corners move onto it.
+  void take_out_flat(const LyingMeeting& l) {
+    std::vector<std::uint8_t> has_symbol(complex_.n_vertices());
+    for (const Symbol& symbol : l.meeting.symbols) has_symbol[symbol.vertex.value] = 1;
+    std::vector<std::uint8_t> may_go;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+      const auto& v = complex_.face[f];
+      const bool on_both = has_symbol[v[0].value] && has_symbol[v[1].value] && has_symbol[v[2].value];
+      may_go.push_back(on_both && l.meeting.side[l.goes()].find(marks_.from[f]) != kNowhere ? 1 : 0);
+    }
+    take_out_flat_faces(complex_, marks_, may_go, rule_.snap.noise());
+  }
+
+  /// The faces that were in contact, or what they were cut into.
+  struct Pieces {
+    std::vector<FaceId> faces;          // ascending
+    std::vector<std::uint8_t> covered;  // by position: lies on the other side
+    [[nodiscard]] std::size_t size() const { return faces.size(); }
+  };
+
+  [[nodiscard]] Pieces pieces(const LyingMeeting& l, std::size_t s) const {
+    Pieces p;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+      const LocalFace from = l.meeting.side[s].find(marks_.from[f]);
+      if (from != kNowhere && l.in_contact[s][from]) p.faces.push_back(FaceId(f));
+    }
+    return p;
+  }
+
+  [[nodiscard]] Triangle chart_triangle(const LyingMeeting& l, std::size_t s, FaceId f) const {
+    const auto& v = complex_.face[f.value];
+    return {l.at(s, v[0]), l.at(s, v[1]), l.at(s, v[2])};
+  }
+
+  /// A region lies on `cover` if most of its area does.
+  void classify(const LyingMeeting& l, std::size_t s, const Cover& cover, Pieces& p) const {
+    const Regions regions(complex_, p.faces, l.walls);
+    std::vector<double> vote(p.size(), 0);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const Triangle t = chart_triangle(l, s, p.faces[i]);
+      const LocalFace from = l.meeting.side[s].find(marks_.from[p.faces[i].value]);
+      const Vec3 n = unit_normal(l.triangle(s, from));
+      vote[regions[i]] += cover.covers(centroid(t), n, rule_) ? area(t) : -area(t);
+    }
+    p.covered.resize(p.size());
+    for (std::size_t i = 0; i < p.size(); ++i) p.covered[i] = vote[regions[i]] > 0;
+  }
+
+  void take_out(const LyingMeeting& l) {
+    Pieces going = pieces(l, l.goes()), staying = pieces(l, l.stays);
+    classify(l, l.goes(), l.cover[l.stays], going);
+
+    std::vector<FaceId> covered;
+    std::vector<Triangle> triangles;
+    std::vector<double> sizes;
+    std::vector<std::array<VertexId, 3>> corners;
+    for (std::size_t i = 0; i < going.size(); ++i) {
+      if (!going.covered[i]) continue;
+      covered.push_back(going.faces[i]);
+      triangles.push_back(chart_triangle(l, l.goes(), going.faces[i]));
+      sizes.push_back(marks_.size[going.faces[i].value]);
+      corners.push_back(complex_.face[going.faces[i].value]);
+    }
+    const Cover cover(triangles, sizes, corners);
+    classify(l, l.stays, cover, staying);
+    for (std::size_t i = 0; i < staying.size(); ++i)
+      if (staying.covered[i])
+        unite(l, staying.faces[i], covered[cover.foot(centroid(chart_triangle(l, l.stays, staying.faces[i]))).face]);
+    for (std::size_t i = 0; i < covered.size(); ++i)
+      out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over()});
+    remove(covered);
+  }
+
+  /// A face that stays, and the one that lies on it and goes.
+  void unite(const LyingMeeting& l, FaceId f, FaceId g) {
+    marks_.touched[f.value] = takes_over() ? 1 : marks_.touched[f.value];
+    if (!takes_over()) {
+      marks_.kept.resize(complex_.n_faces());
+      marks_.kept[f.value] = 1;
+      return;
+    }
+    complex_.layer.resize(complex_.n_faces());
+    const Complex::Layer layer{complex_.parent[g.value], complex_.component[g.value], complex_.face_groups[g.value],
+                               complex_.face_attributes[g.value]};
+    complex_.layer[f.value] = layer;
+    complex_.face_groups[f.value] = groups_.unite(complex_.face_groups[f.value], layer.groups);
+    const LocalFace from = l.meeting.side[l.goes()].find(marks_.from[g.value]);
+    GroupSetId common;
+    for (const VertexId v : l.meeting.side[l.goes()].corners(from)) {
+      const GroupSetId own = complex_.groups_on(layer.component, v);
+      common = common.valid() ? groups_.intersect(common, own) : own;
+    }
+    for (const VertexId v : complex_.face[f.value])
+      if (!l.meeting.has_symbol(l.stays, v)) complex_.join_groups(v, layer.component, common, groups_);
+  }
+
+  void remove(std::vector<FaceId> gone) {
+    std::sort(gone.begin(), gone.end());
+    Complex old;
+    complex_.swap_faces(old);
+    FaceMarks marks;
+    for (std::size_t f = 0; f < old.face.size(); ++f) {
+      if (std::binary_search(gone.begin(), gone.end(), FaceId(f))) continue;
+      complex_.add_face(old.face[f], old, FaceId(f));
+      marks.add(marks_, f);
+    }
+    marks_ = std::move(marks);
+  }
+
+  Complex& complex_;
+  GroupSets& groups_;
+  FaceMarks& marks_;
+  const Sides& sides_;
+  ContactRule rule_;
+  Overlaid out_;
+};
+
+}  // namespace
+
+tl::expected<Overlaid, ImprintFault> overlay(Complex& complex, GroupSets& groups, FaceMarks& marks, const Sides& sides,
+                                             const SnapRule& snap, const CorefineOptions& options) {
+  return Overlayer(complex, groups, marks, sides, snap, options).run();
+}
+
+}  // namespace meshgraft

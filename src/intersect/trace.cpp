@@ -1,0 +1,195 @@
+// The straight way of an imprinted edge over the faces of the other side.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/quality.hpp"
+#include "intersect/lying.hpp"
+
+namespace meshgraft {
+namespace {
+
+class Tracer {
+ public:
+  explicit Tracer(LyingMeeting& l) : l_(l), m_(l.meeting) {}
+
+  std::optional<JunctionFault> run() {
+    for (const std::size_t s : {l_.goes(), l_.stays}) {
+      index_symbols(s);
+      for (LocalEdge e = 0; e < m_.side[s].n_edges(); ++e)
+        if (l_.imprinted_edge[s][e])
+          if (auto fault = trace_edge(s, e)) return fault;
+    }
+    std::sort(l_.walls.begin(), l_.walls.end());
+    l_.walls.erase(std::unique(l_.walls.begin(), l_.walls.end()), l_.walls.end());
+    return std::nullopt;
+  }
+
+ private:
+  struct Stop {
+    double t = 0;  // along the edge
+    std::uint32_t symbol = 0;
+    auto operator<=>(const Stop&) const = default;
+  };
+
+  /// Symbols inside the edges of side s, as they are before any of them is followed.
+  void index_symbols(std::size_t s) {
+    inside_.assign(m_.side[s].n_edges(), {});
+    for (std::uint32_t i = 0; i < m_.symbols.size(); ++i)
+      if (const Carrier& on = m_.symbols[i].on[s]; on.kind == Carrier::kEdge) inside_[on.id].push_back({on.t, i});
+  }
+
+  std::optional<JunctionFault> trace_edge(std::size_t s, LocalEdge e) {
+    std::vector<Stop> stops = inside_[e];
+    for (std::size_t k = 0; k < 2; ++k)
+      if (const VertexId v = m_.side[s].ends(e)[k]; m_.has_symbol(s, v))
+        stops.push_back({static_cast<double>(k), m_.symbol_of[s][v.value]});
+    std::sort(stops.begin(), stops.end());
+    for (std::size_t i = 1; i < stops.size(); ++i)
+      if (is_covered(s, e, stops[i - 1], stops[i]) && !follow(s, e, stops[i - 1], stops[i]))
+        return fault(s, e, stops[i - 1]);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Vec3 on_edge(std::size_t s, LocalEdge e, double t) const {
+    return lerp(l_.at(s, m_.side[s].ends(e)[0]), l_.at(s, m_.side[s].ends(e)[1]), t);
+  }
+
+  /// True if the middle of a piece lies on the other side.
+  [[nodiscard]] bool is_covered(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) const {
+    const Vec3 middle = on_edge(s, e, 0.5 * (from.t + to.t));
+    const auto faces = m_.side[s].faces_at_edge(e);
+    return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) {
+      return l_.in_contact[s][f] && l_.cover[1 - s].covers(middle, unit_normal(l_.triangle(s, f)), l_.rule);
+    });
+  }
+
+  [[nodiscard]] std::vector<LocalFace> faces_at(std::size_t s, const Carrier& on) const {
+    const Side& side = m_.side[s];
+    if (on.kind == Carrier::kFace) return {on.id};
+    const auto at = on.kind == Carrier::kEdge ? side.faces_at_edge(on.id) : side.faces_at(VertexId(std::size_t{on.id}));
+    return {at.begin(), at.end()};
+  }
+
+  /// Both on one edge of the face: the edge itself joins them.
+  [[nodiscard]] bool on_one_edge(std::size_t o, LocalFace g, const Symbol& a, const Symbol& b) const {
+    const auto& edges = m_.side[o].edges(g);
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](LocalEdge e) { return m_.on_edge(a, o, e) && m_.on_edge(b, o, e); });
+  }
+
+  void link(std::size_t o, LocalFace g, std::uint32_t a, std::uint32_t b) {
+    const Symbol &p = m_.symbols[a], &q = m_.symbols[b];
+    const auto [low, high] = std::minmax(p.vertex, q.vertex);
+    l_.walls.push_back({low, high});
+    if (!on_one_edge(o, g, p, q)) l_.segments[o].push_back({g, {low, high}});
+  }
+
+  struct Exit {
+    double along = 0;
+    LocalFace face = 0;
+    Carrier on;
+    Vec3 point;
+  };
+
+  /// The plane in which a way runs and how far along it a point is.
+  struct Way {
+    Vec3 from, dir, across;
+    double length = 0, weld = 0;
+    [[nodiscard]] double along(Vec3 p) const { return dot(p - from, dir); }
+    [[nodiscard]] double beside(Vec3 p) const { return dot(p - from, across); }
+    [[nodiscard]] int sign(Vec3 p) const {
+      const double d = beside(p);
+      return d > weld ? 1 : d < -weld ? -1 : 0;
+    }
+  };
+
+  [[nodiscard]] Way way(std::size_t o, const Symbol& a, const Symbol& b) const {
+    Way w;
+    w.from = l_.at(o, a.vertex);
+    const Vec3 to = l_.at(o, b.vertex);
+    w.length = distance(w.from, to);
+    w.dir = normalized(to - w.from);
+    const LocalFace f = faces_at(o, a.on[o])[0], g = faces_at(o, b.on[o])[0];
+    const Vec3 n = unit_normal(l_.triangle(o, f)), m = unit_normal(l_.triangle(o, g));
+    w.across = normalized(cross(dot(n, m) < 0 ? n - m : n + m, w.dir));
+    w.weld = l_.rule.weld(std::min(l_.size(o, f), l_.size(o, g)));
+    return w;
+  }
+
+  /// The next edge or vertex in the direction of the way, out of a face at the symbol.
+  [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Symbol& at, const Way& w, double along) const {
+    std::optional<Exit> best;
+    const auto offer = [&](Exit e) {
+      if (e.along > along + w.weld && e.along < w.length && (!best || e.along < best->along)) best = e;
+    };
+    for (const LocalFace g : faces_at(o, at.on[o])) {
+      if (!l_.is_flat[o][g]) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId v = m_.side[o].corners(g)[k];
+        const Vec3 p = l_.at(o, v);
+        if (w.sign(p) == 0) offer({w.along(p), g, {Carrier::kVertex, v.value, 0}, p});
+        const LocalEdge e = m_.side[o].edges(g)[k];
+        const Vec3 a = l_.at(o, m_.side[o].ends(e)[0]), b = l_.at(o, m_.side[o].ends(e)[1]);
+        if (m_.on_edge(at, o, e) || w.sign(a) * w.sign(b) >= 0) continue;
+        const double t = w.beside(a) / (w.beside(a) - w.beside(b));
+        offer({w.along(lerp(a, b, t)), g, {Carrier::kEdge, e, t}, lerp(a, b, t)});
+      }
+    }
+    return best;
+  }
+
+  bool follow(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) {
+    const std::size_t o = 1 - s;
+    const Way w = way(o, m_.symbols[from.symbol], m_.symbols[to.symbol]);
+    std::uint32_t now = from.symbol;
+    double along = 0;
+    for (std::size_t step = 0; step <= m_.side[o].n_edges(); ++step) {
+      for (const LocalFace g : faces_at(o, m_.symbols[now].on[o]))
+        if (m_.on_face(m_.symbols[to.symbol], o, g)) {
+          link(o, g, now, to.symbol);
+          return true;
+        }
+      const auto next = exit(o, m_.symbols[now], w, along);
+      if (!next) return false;
+      if (next->on.kind == Carrier::kEdge && l_.border_edge[o][next->on.id]) return false;
+      if (next->on.kind == Carrier::kVertex && m_.has_symbol(o, VertexId(std::size_t{next->on.id}))) return false;
+      const double t = from.t + (to.t - from.t) * next->along / w.length;
+      const std::uint32_t symbol = pass(s, {Carrier::kEdge, e, t}, next->on, next->point);
+      link(o, next->face, now, symbol);
+      now = symbol, along = next->along;
+    }
+    return false;
+  }
+
+  std::uint32_t pass(std::size_t s, const Carrier& own, const Carrier& other, Vec3 point) {
+    const std::size_t o = 1 - s;
+    std::array<Carrier, 2> on;
+    on[s] = own, on[o] = other;
+    std::array<Vec3, 2> at;
+    at[s] = on_edge(s, own.id, own.t), at[o] = point;
+    if (other.kind == Carrier::kEdge) return add_on_edges(l_, on, at);
+    const VertexId x(std::size_t{other.id});
+    m_.chart[s][x.value] = at[s];
+    m_.join_groups(x, s, own);
+    return m_.add({x, on});
+  }
+
+  JunctionFault fault(std::size_t s, LocalEdge e, const Stop& from) const {
+    const auto own = m_.side[s].faces_at_edge(e);
+    const auto other = faces_at(1 - s, m_.symbols[from.symbol].on[1 - s]);
+    return {ErrorCode::kOverlap,
+            "faces lie on each other over an area whose border cannot be followed",
+            {m_.complex.parent[m_.side[s].face(own[0]).value], m_.complex.parent[m_.side[1 - s].face(other[0]).value]},
+            on_edge(s, e, from.t)};
+  }
+
+  LyingMeeting& l_;
+  Meeting& m_;
+  std::vector<std::vector<Stop>> inside_;  // by edge
+};
+
+}  // namespace
+
+std::optional<JunctionFault> trace_imprinted(LyingMeeting& lying) { return Tracer(lying).run(); }
+
+}  // namespace meshgraft

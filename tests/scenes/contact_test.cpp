@@ -1,0 +1,107 @@
+// Meshes that lie on each other: every scene, fused and projected, keeps the promises.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <set>
+
+#include "meshgraft/check.hpp"
+#include "meshgraft/merge.hpp"
+#include "support/catalogue.hpp"
+
+namespace meshgraft {
+namespace {
+
+const std::vector<scenes::Merge>& all_scenes() {
+  static const std::vector<scenes::Merge> all = scenes::contact_catalogue();
+  return all;
+}
+
+double area_of(const Model& model, ElementId e) {
+  const auto t = model.corners(e);
+  return 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+}
+
+std::map<std::string, double> area_by_group(const Model& model) {
+  std::map<std::string, double> areas;
+  for (std::size_t e = 0; e < model.n_elements(); ++e)
+    if (model.is_face(ElementId(e)))
+      for (const GroupId g : model.group_sets.members(model.element_groups[e]))
+        areas[model.groups[g.value].name] += area_of(model, ElementId(e));
+  return areas;
+}
+
+double whole_area(const Model& model) {
+  double sum = 0;
+  for (std::size_t e = 0; e < model.n_elements(); ++e)
+    if (model.is_face(ElementId(e))) sum += area_of(model, ElementId(e));
+  return sum;
+}
+
+std::string first_problem(const Report& report) {
+  return report.broken_promises.empty() ? "" : to_string(report.broken_promises.front());
+}
+
+class Contact : public testing::TestWithParam<std::size_t> {
+ protected:
+  void merge_with(Overlap overlap) {
+    const scenes::Merge& scene = all_scenes()[GetParam()];
+    MergeOptions options = scene.options;
+    options.overlap = overlap;
+    auto merged = merge(scene.base, scene.parts, options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    merged_ = std::move(*merged);
+    EXPECT_TRUE(merged_.report.broken_promises.empty()) << first_problem(merged_.report);
+    EXPECT_FALSE(merged_.report.junction.empty());
+    EXPECT_GE(merged_.report.quality.min, scene.min_q);
+    result_ = apply(scene.base, scene.parts, merged_);
+    before_ = area_by_group(scene.base);
+    area_before_ = whole_area(scene.base);
+    for (const Model& part : scene.parts) {
+      for (const auto& [name, area] : area_by_group(part)) before_[name] += area;
+      area_before_ += whole_area(part);
+    }
+  }
+
+  Merged merged_;
+  Model result_;
+  std::map<std::string, double> before_;
+  double area_before_ = 0;
+};
+
+TEST_P(Contact, FusedFacesAreInTheGroupsOfBoth) {
+  ASSERT_NO_FATAL_FAILURE(merge_with(Overlap::kFuse));
+  const CheckResult check = meshgraft::check(result_);
+  EXPECT_TRUE(check.sound()) << check.intersections << " intersections, " << check.duplicate_faces.size() << " doubled";
+  EXPECT_EQ(check.n_orphan_nodes, 0u);
+  EXPECT_EQ(check.n_coincident_nodes, 0u);
+  // One group of both inputs counts the common area once.
+  const auto after = area_by_group(result_);
+  for (const auto& [name, area] : before_)
+    if (before_.size() > 1) {
+      EXPECT_NEAR(after.at(name), area, 0.015 * area) << name;
+    }
+}
+
+TEST_P(Contact, ProjectedLayersAreOnTheSameNodesAndKeepAllTheirArea) {
+  ASSERT_NO_FATAL_FAILURE(merge_with(Overlap::kProject));
+  EXPECT_NEAR(whole_area(result_), area_before_, 0.01 * area_before_);
+  const auto after = area_by_group(result_);
+  for (const auto& [name, area] : before_) EXPECT_NEAR(after.at(name), area, 0.015 * area) << name;
+  std::map<std::set<std::uint32_t>, int> on_nodes;
+  for (std::size_t e = 0; e < result_.n_elements(); ++e) {
+    std::set<std::uint32_t> nodes;
+    for (const NodeId n : result_.nodes_of(ElementId(e))) nodes.insert(n.value);
+    EXPECT_LE(++on_nodes[nodes], 2);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
+  std::string name = all_scenes()[scene.param].name;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+});
+
+}  // namespace
+}  // namespace meshgraft
