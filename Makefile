@@ -4,15 +4,17 @@
 #   make test      build and run the tests
 #   make build     build only; the program is build/release/meshgraft
 #   make sanitize  the tests again, under the address and undefined-behaviour sanitizers
+#   make soak      the laws on new random scenes, SCENES (1000) each; prints the seed of each failure
 #   make bench     measure speed and memory, beside CGAL doing the same
 #   make format    lay out the sources with clang-format
 #   make lint      names and common mistakes, with clang-tidy
 #   make clean     remove build/
 
 JOBS := $(shell nproc)
+SCENES := 1000
 SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'tools/*.[ch]pp' 'examples/*.cpp')
 
-.PHONY: demo test build sanitize bench format lint clean packages
+.PHONY: demo test build sanitize soak bench format lint clean packages
 .DEFAULT_GOAL := build
 
 demo: build/release/build.ninja
@@ -29,6 +31,13 @@ sanitize: packages
 	cmake --preset sanitize
 	cmake --build build/sanitize
 	ctest --preset sanitize -j $(JOBS)
+
+soak: build
+	@failed=0; \
+	for program in build/release/tests/*/*_test; do \
+	  echo "== $$program"; \
+	  RC_PARAMS="max_success=$(SCENES)" "$$program" --gtest_brief=1 || failed=1; \
+	done; exit $$failed
 
 bench:
 	tools/install-packages build bench
