@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 
 #include "io/coordinate_systems.hpp"
@@ -205,7 +206,7 @@ class Reader {
 
   void warn_about_labels(const std::vector<std::int64_t>& labels, const std::vector<std::uint64_t>& places,
                          const char* kind) {
-    constexpr std::int64_t kLargestElsewhere = 2'147'483'647;  // 32 bits
+    constexpr std::int64_t kLargestElsewhere = std::numeric_limits<std::int32_t>::max();
     const auto largest = std::ranges::max_element(labels);
     if (largest == labels.end() || *largest <= kLargestElsewhere) return;
     model_.warnings.push_back(d_.warning(

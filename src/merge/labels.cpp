@@ -1,45 +1,48 @@
 #include "merge/labels.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <limits>
 #include <span>
 
 namespace meshgraft {
 namespace {
 
-/// Finds positions of labels of one input: a table where labels are dense, else a sorted list.
-class LabelIndex {
+constexpr std::int64_t kLargestElsewhere = std::numeric_limits<std::int32_t>::max();  // most programs have 32 bits
+
+/// The labels of one input, as runs of consecutive ones.
+class LabelRuns {
  public:
-  explicit LabelIndex(std::span<const std::int64_t> labels) {
-    if (labels.empty()) return;
-    const auto [low, high] = std::ranges::minmax(labels);
-    low_ = low, high_ = high;
-    const auto range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
-    if (range < kDenseFactor * labels.size()) {
-      table_.assign(range + 1, kNone);
-      for (std::size_t i = 0; i < labels.size(); ++i)
-        table_[static_cast<std::size_t>(labels[i] - low)] = static_cast<std::uint32_t>(i);
-      return;
+  explicit LabelRuns(std::span<const std::int64_t> labels) {
+    if (std::ranges::is_sorted(labels)) {
+      add(labels);
+    } else {
+      std::vector<std::int64_t> sorted(labels.begin(), labels.end());
+      std::ranges::sort(sorted);
+      add(sorted);
     }
-    sorted_.reserve(labels.size());
-    for (std::size_t i = 0; i < labels.size(); ++i) sorted_.emplace_back(labels[i], static_cast<std::uint32_t>(i));
-    std::sort(sorted_.begin(), sorted_.end());
   }
 
-  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
-
-  [[nodiscard]] std::uint32_t find(std::int64_t label) const {
-    if (label < low_ || label > high_) return kNone;
-    if (!table_.empty()) return table_[static_cast<std::size_t>(label - low_)];
-    const auto it = std::ranges::lower_bound(sorted_, label, {}, &std::pair<std::int64_t, std::uint32_t>::first);
-    return it != sorted_.end() && it->first == label ? it->second : kNone;
+  [[nodiscard]] bool contains(std::int64_t label) const {
+    if (runs_.empty() || label < runs_.front().first || label > runs_.back().last) return false;
+    const auto after = std::ranges::upper_bound(runs_, label, {}, &Run::first);
+    return label <= (after - 1)->last;
   }
+  [[nodiscard]] std::int64_t largest() const { return runs_.empty() ? 0 : runs_.back().last; }
 
  private:
-  static constexpr std::uint64_t kDenseFactor = 8;  // table entries per label: 32 bytes against 16 of the list
-  std::int64_t low_ = 1, high_ = 0;
-  std::vector<std::uint32_t> table_;
-  std::vector<std::pair<std::int64_t, std::uint32_t>> sorted_;
+  struct Run {
+    std::int64_t first, last;
+  };
+
+  void add(std::span<const std::int64_t> ascending) {
+    for (const std::int64_t label : ascending) {
+      if (runs_.empty() || label > runs_.back().last + 1) runs_.push_back({label, label});
+      runs_.back().last = label;
+    }
+  }
+
+  std::vector<Run> runs_;  // ascending
 };
 
 std::int64_t power_of_ten_above(std::int64_t n) {
@@ -58,38 +61,44 @@ class Numbering {
 
   void add_input(std::span<const std::int64_t> labels) {
     const std::vector<Id> clashing = clashes(labels);
-    if (!labels.empty()) largest = std::max(largest, std::ranges::max(labels));
+    const LabelRuns& own = own_.emplace_back(labels);
+    largest = std::max(largest, own.largest()), largest_own_ = std::max(largest_own_, own.largest());
+    std::vector<std::int64_t> moved;
     std::int64_t by = 0;
-    if (!clashing.empty()) {
-      const auto [low, high] = std::ranges::minmax(clashing, {}, [&](Id id) { return labels[id.value]; });
-      const std::int64_t least = labels[low.value], most = labels[high.value];
-      by = power_of_ten_above(largest - std::min<std::int64_t>(0, std::ranges::min(labels)));
-      if (most + by > kLargestLabel) by = power_of_ten_above(largest - least);
+    if (!clashing.empty() && largest <= kLargestLabel) {
+      for (const Id id : clashing) moved.push_back(labels[id.value]);
+      const auto [least, most] = std::ranges::minmax(moved);
+      by = shift_of(least, most);
+      for (std::int64_t& label : moved) label += by;
       largest = std::max(largest, most + by);
     }
+    moved_.emplace_back(moved);
     shift.push_back(by);
     shifted.push_back(clashing);
-    inputs_.push_back(labels);
   }
 
  private:
-  std::vector<Id> clashes(std::span<const std::int64_t> labels) const {
-    if (inputs_.empty()) return {};
-    const LabelIndex index(labels);
+  /// Moves labels from `least` to `most` above all that are used; see labels_of.
+  [[nodiscard]] std::int64_t shift_of(std::int64_t least, std::int64_t most) const {
+    const auto multiple_of = [&](std::int64_t step) { return ((largest - least) / step + 1) * step; };
+    const std::array by{multiple_of(power_of_ten_above(largest_own_)), multiple_of(power_of_ten_above(most - least))};
+    for (const std::int64_t limit : {kLargestElsewhere, kLargestLabel})
+      for (const std::int64_t b : by)
+        if (most + b <= limit) return b;
+    return multiple_of(1);
+  }
+
+  [[nodiscard]] std::vector<Id> clashes(std::span<const std::int64_t> labels) const {
     std::vector<Id> found;
-    const auto look_for = [&](std::int64_t label) {
-      if (const std::uint32_t i = index.find(label); i != LabelIndex::kNone) found.emplace_back(std::size_t{i});
-    };
-    for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      for (const std::int64_t label : inputs_[k]) look_for(label);
-      for (const Id id : shifted[k]) look_for(inputs_[k][id.value] + shift[k]);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const auto has = [label = labels[i]](const LabelRuns& runs) { return runs.contains(label); };
+      if (std::ranges::any_of(own_, has) || std::ranges::any_of(moved_, has)) found.emplace_back(i);
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
 
-  std::vector<std::span<const std::int64_t>> inputs_;
+  std::vector<LabelRuns> own_, moved_;  // by input: labels as they were, those that were shifted as they are now
+  std::int64_t largest_own_ = 0;        // of own_
 };
 
 template <class Id>

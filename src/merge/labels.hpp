@@ -10,12 +10,13 @@ namespace meshgraft {
 /// The largest label that every reader of universal files takes.
 inline constexpr std::int64_t kLargestLabel = 9'999'999'999;
 
-/// Labels by the rules of struct Labels. The shift of an input is the next power of ten above all
-/// labels used by it and the inputs before, or where that does not fit the least power of ten that
-/// clears them; labels that were removed count as used.
+/// Labels by the rules of struct Labels. The shift of an input is the least multiple of a power of ten that
+/// clears all labels used by it and the inputs before; labels that were removed count as used. That power of
+/// ten is the one above all labels of these inputs, so that element 57 becomes 10057 or 20057, or where that
+/// leads beyond 32 bits (or else beyond kLargestLabel), the one above the range of the labels that clash.
 ///
 /// Error kLabelOverflow if a shifted or new label would exceed kLargestLabel.
-/// Cost linear in the number of labels.
+/// Cost linear in the number of labels, and those of parts times the number of inputs.
 [[nodiscard]] Result<Labels> labels_of(Inputs inputs, const Graft& graft);
 
 /// The label of a node or element in the merged model.

@@ -37,7 +37,7 @@ TEST(Labels, WithoutClashNothingMoves) {
   EXPECT_EQ(l.first_new_node, 1'000'000'001);
 }
 
-TEST(Labels, WhereThePowerOfTenAboveAllDoesNotFitTheLeastThatDoesIsTaken) {
+TEST(Labels, WhereThePowerOfTenAboveAllDoesNotFitTheOneAboveTheirRangeIsTaken) {
   const std::vector<std::int64_t> huge{9'990'000'001, 9'990'000'516};
   const Labels l = labels({with_labels(huge), with_labels(huge)});
   EXPECT_EQ(l.node_shift[1], 1000);
@@ -54,6 +54,21 @@ TEST(Labels, AnInputAlsoGivesWayToShiftedLabelsOfTheOneBefore) {
   EXPECT_EQ(l.node_shift[1], 10);            // 1 becomes 11
   EXPECT_EQ(l.shifted_nodes[2].size(), 1u);  // 11 clashes with it
   EXPECT_EQ(l.node_shift[2], 100);
+}
+
+TEST(Labels, ManyInputsWithTheSameLabelsMoveByMultiplesOfOnePower) {
+  std::vector<Model> models{with_labels({1, 5'000'000})};
+  for (int k = 0; k < 40; ++k) models.push_back(with_labels({1, 57, 999}));
+  const Labels l = labels(models);
+  for (std::size_t k = 1; k < models.size(); ++k) EXPECT_EQ(l.node_shift[k], std::int64_t(k) * 10'000'000) << k;
+  EXPECT_EQ(l.first_new_node, 400'001'000);
+}
+
+TEST(Labels, WhereMultiplesLeadBeyond32BitsTheyFollowEachOtherClosely) {
+  std::vector<Model> models{with_labels({1, 2, 3, 1'500'000'000})};
+  for (int k = 0; k < 3; ++k) models.push_back(with_labels({1, 2, 3}));
+  const Labels l = labels(models);
+  EXPECT_EQ(l.node_shift, (std::vector<std::int64_t>{0, 1'500'000'000, 1'500'000'010, 1'500'000'020}));
 }
 
 TEST(Labels, RemovedLabelsAreNotUsedAgain) {
