@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using benchmark::State;
 
+constexpr int kGrid = 10;                 // stiffeners in each direction
 constexpr double kMeanEdgeOfCell = 1.14;  // of a square cell cut in two: (1 + 1 + sqrt 2) / 3
 
 fs::path program, directory;
@@ -56,7 +57,7 @@ Files files_of(const State& state) {
   Files files{directory / ("base" + n + ".unv"), directory / ("part" + n + ".unv"), directory / "output.unv"};
   if (!fs::exists(files.part)) {
     const Scene& scene = scene_of(state);
-    if (!write_unv(scene.base, files.base.string()) || !write_unv(scene.part, files.part.string())) {
+    if (!write_unv(scene.base, files.base.string()) || !write_unv(scene.parts[0], files.part.string())) {
       std::cerr << "cannot write to " << directory << '\n';
       std::exit(5);
     }
@@ -77,9 +78,9 @@ void report_quality(State& state, std::vector<double> q) {
 
 void merge_arrays(State& state, const Scene& scene) {
   for (auto _ : state) {
-    const Result<Merged> merged = merge(scene.base, std::span(&scene.part, 1));
+    const Result<Merged> merged = merge(scene.base, scene.parts);
     if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
-    Model result = apply(scene.base, std::span(&scene.part, 1), *merged);
+    Model result = apply(scene.base, scene.parts, *merged);
     benchmark::DoNotOptimize(result);
 
     state.PauseTiming();
@@ -94,6 +95,23 @@ void merge_arrays(State& state, const Scene& scene) {
   }
 }
 
+const Scene& grid_of(const State& state) {
+  return cached(
+      +[](std::size_t n_faces) { return grid(n_faces, kGrid); }, static_cast<std::size_t>(state.range(0)));
+}
+
+/// Each stiffener of the grid joined to the plate without the others.
+void merge_singly(State& state) {
+  const Scene& scene = grid_of(state);
+  for (auto _ : state)
+    for (const Model& part : scene.parts) {
+      const Result<Merged> merged = merge(scene.base, std::span(&part, 1));
+      if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
+      Model result = apply(scene.base, std::span(&part, 1), *merged);
+      benchmark::DoNotOptimize(result);
+    }
+}
+
 Triangles triangles_of(const Model& model) {
   Triangles t{model.position, {}};
   for (std::size_t e = 0; e < model.n_elements(); ++e) {
@@ -105,7 +123,7 @@ Triangles triangles_of(const Model& model) {
 
 void merge_with_peer(State& state, bool conforming) {
   const Scene& scene = scene_of(state);
-  const Triangles base = triangles_of(scene.base), part = triangles_of(scene.part);
+  const Triangles base = triangles_of(scene.base), part = triangles_of(scene.parts[0]);
   PeerOptions options;
   options.conforming = conforming;
   options.target_size = kMeanEdgeOfCell * scene.size;
@@ -202,6 +220,8 @@ void write_merged(State& state) {
 }
 
 void register_all() {
+  // Below, the zones of neighbours run into each other; above, it takes minutes.
+  constexpr std::int64_t kLeastForGrid = 100'000, kMostForGrid = 1'000'000;
   // One scene after the other, because only one is held in memory.
   for (const std::int64_t n : {10'000, 100'000, 1'000'000, 4'000'000}) {
     const auto add = [n](const std::string& name, std::function<void(State&)> body) {
@@ -222,6 +242,9 @@ void register_all() {
     add("peer_apart", [](State& state) { merge_with_peer(state, false); });
     add("zone",
         [](State& state) { merge_arrays(state, cached(&constant_zone, static_cast<std::size_t>(state.range(0)))); });
+    if (n < kLeastForGrid || n > kMostForGrid) continue;
+    add("grid", [](State& state) { merge_arrays(state, grid_of(state)); });
+    add("grid_singly", merge_singly);
   }
 }
 

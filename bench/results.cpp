@@ -71,6 +71,19 @@ void Results::print_array_table() const {
       "resamples the junction for itself, so that the result is not one mesh.\n");
 }
 
+void Results::print_grid_table() const {
+  fmt::print("\nGrid of crossing stiffeners, arrays to arrays: all in one call, beside each alone\n");
+  fmt::print("{:>9} {:>10} {:>9} {:>9} {:>7} {:>8} {:>7}\n", "faces", "new faces", "grid ms", "singly ms", "ratio",
+             "min Q", "mean");
+  for (const auto& [key, grid] : best_) {
+    if (key.first != "grid") continue;
+    if (const Measured* singly = find("grid_singly", key.second))
+      fmt::print("{:>9} {:>10.0f} {:>9.1f} {:>9.1f} {:>7.2f} {:>8.3f} {:>7.3f}\n", key.second,
+                 counter(&grid, "new_faces"), grid.seconds * 1e3, singly->seconds * 1e3, grid.seconds / singly->seconds,
+                 counter(&grid, "min_q"), counter(&grid, "mean_q"));
+  }
+}
+
 void Results::print_stage_table(const std::string& what, const std::string& title) const {
   std::set<std::string> stages;
   for (const auto& [key, measured] : best_)
@@ -92,6 +105,7 @@ void Results::print_stage_table(const std::string& what, const std::string& titl
 void Results::print_tables() const {
   print_program_table();
   print_array_table();
+  print_grid_table();
   print_stage_table("merge", "Stages of merge in ms, zone growing with the model");
   print_stage_table("zone", "Stages of merge in ms, the same zone in a growing model");
 }

@@ -24,6 +24,7 @@ class Results : public benchmark::ConsoleReporter {
   [[nodiscard]] const Measured* find(const std::string& what, long n_faces) const;
   void print_program_table() const;
   void print_array_table() const;
+  void print_grid_table() const;
   void print_stage_table(const std::string& what, const std::string& title) const;
 
   std::map<std::pair<std::string, long>, Measured> best_;  // "merge", faces
