@@ -35,7 +35,7 @@ std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double
   const std::uint32_t largest = largest_component(complex);  // not in the tree: it meets nothing of itself
   for (std::size_t f = 0; f < boxes.size(); ++f) {
     for (const Vec3 p : complex.corners(FaceId(f))) boxes[f].add(p);
-    boxes[f] = boxes[f].grown(kReach * rule.at(size[f]).feature);
+    boxes[f] = boxes[f].grown(kReach * rule.at(size[f]).asked);
     if (complex.component[f] != largest) in_tree.push_back(boxes[f]), tree_face.emplace_back(f);
   }
   const BoxTree tree(in_tree);

@@ -64,8 +64,21 @@ class Corefiner {
     return std::nullopt;
   }
 
+  /// A node may be moved in several joins: from where it was first to where it is at last.
+  void unite_moves() {
+    std::ranges::stable_sort(out_.moves, {}, &Corefined::Move::node);
+    std::vector<Corefined::Move> all;
+    for (const Corefined::Move& m : out_.moves) {
+      if (!all.empty() && all.back().node == m.node)
+        all.back().to = m.to, all.back().vertex = m.vertex;
+      else
+        all.push_back(m);
+    }
+    out_.moves = std::move(all);
+  }
+
   Corefined result() {
-    std::sort(out_.moves.begin(), out_.moves.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+    unite_moves();
     std::sort(out_.replaced.begin(), out_.replaced.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
     std::sort(out_.covered.begin(), out_.covered.end());
     out_.complex = assembly_.finished(out_.touched, out_.kept);

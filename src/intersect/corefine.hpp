@@ -43,7 +43,7 @@ struct Corefined {
     VertexId vertex;
     Vec3 from, to;
   };
-  std::vector<Move> moves;  // nodes of later components pulled onto earlier ones, ascending
+  std::vector<Move> moves;  // nodes that were moved to close gaps, ascending
 
   struct Replaced {
     NodeRef node;
@@ -72,6 +72,7 @@ struct Corefined {
     std::array<ElementRef, 2> faces;  // of an earlier component, of the later one
     Vec3 at;
     double distance = 0;
+    std::size_t feature = 1;  // which of the two faces has the edge or vertex that ends there
   };
   std::vector<OpenGap> left_open;  // in the order of the components
 };
@@ -90,16 +91,19 @@ struct JunctionFault {
 ///      on edge e" and so on; faces that share an edge agree on it by construction.
 ///  (2) Incidences within the tolerance (features) or the weld length (everything) are decided
 ///      first and declared; signs of what is left come from exact predicates.
-///  (3) Vertices of earlier components never move. Vertices of later ones move at most by the
-///      tolerance, and every move is listed.
+///  (3) Free edges that end within the tolerance of another component are extended to it along their
+///      own surface, each vertex by at most twice the tolerance; those of the mesh of component 0 never.
+///      All other vertices of earlier components stay, and of later ones move at most by the tolerance.
+///      Every move is listed.
 ///  (4) On each component that a vertex comes to lie on it is in the groups that all vertices of the
 ///      edge or face beneath it are in, on that component (Complex::groups_on).
 ///
 ///  (5) Vertices of the input keep their ids; one that was replaced stays behind without faces. The
 ///      pieces of a face stand where the face stood.
-///  (6) The tolerance counts up to a quarter of the local edge length. Where details smaller than it
-///      stand in the way (two edges of one component nearer to each other than the tolerance), the
-///      gap at that face is left open instead, and is listed in `left_open`.
+///  (6) The tolerance counts in full for the extension of free edges and where faces lie on each other, else
+///      up to a quarter of the local edge length. A gap within it that is not closed all the same, because it
+///      is wider, or because details smaller than the tolerance stand in the way (two edges of one component
+///      nearer to each other than that), is listed in `left_open`.
 ///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
 /// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),

@@ -5,6 +5,7 @@
 
 #include "geometry/quality.hpp"
 #include "intersect/doubled.hpp"
+#include "intersect/extend.hpp"
 #include "intersect/open_gaps.hpp"
 #include "intersect/overlap.hpp"
 #include "intersect/overlay.hpp"
@@ -50,9 +51,12 @@ class Joiner {
   std::optional<ImprintFault> all_rounds(std::vector<std::uint8_t> exact) {
     if (options_.mode != Mode::kFaceEdge)
       if (auto failed = lay_over(exact)) return failed;
+    const bool extended = extend(exact);
     settled_ = false;
-    for (int round = 0; !settled_ && round < kMaxRounds; ++round)
+    for (int round = 0; !settled_ && round < kMaxRounds; ++round) {
       if (auto failed = meet(round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
+      if (round == 0 && extended) settled_ = false;
+    }
     if (settled_) return std::nullopt;
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }
@@ -70,6 +74,41 @@ class Joiner {
     remember(overlaid->moved, overlaid->replaced);
     joining_.covered.insert(joining_.covered.end(), overlaid->covered.begin(), overlaid->covered.end());
     return std::nullopt;
+  }
+
+  /// Free edges that end short of the other side, or stick out beyond it, are brought there; those of
+  /// earlier components too, but for the base. True if there are any.
+  bool extend(std::span<const std::uint8_t> exact) {
+    const std::array<std::vector<FaceId>, 2> faces = active_faces();
+    const Joins& joins = complex_.joins;
+    bool any = extend(component_, faces[0], exact);
+    std::vector<std::uint32_t> earlier;
+    for (const FaceId f : faces[0])
+      if (const std::uint32_t c = complex_.component[f.value]; joins.mesh_of(c) != joins.mesh_of(0))
+        earlier.push_back(c);
+    std::sort(earlier.begin(), earlier.end());
+    earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+    for (const std::uint32_t c : earlier) any = extend(c, faces[1], exact) || any;
+    return any;
+  }
+
+  bool extend(std::uint32_t component, std::span<const FaceId> other, std::span<const std::uint8_t> exact) {
+    const Joins& joins = complex_.joins;
+    std::vector<FaceId> own;
+    std::vector<std::uint8_t> owns(complex_.n_faces());
+    for (std::size_t f = 0; f < owns.size(); ++f) {
+      const std::uint32_t c = complex_.component[f];
+      if (c == component && marks_.active[f]) own.emplace_back(f);
+      owns[f] = c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component));
+    }
+    const SnapRule snap(largest_, options_, true);
+    const std::vector<Extension> all =
+        extensions(complex_, own, other, owns, marks_.size, exact, {options_.tolerance, snap});
+    for (const auto& [v, to] : all) {
+      moved_from_.emplace(v, complex_.position[v.value]);
+      complex_.position[v.value] = to;
+    }
+    return !all.empty();
   }
 
   /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it

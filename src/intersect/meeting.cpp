@@ -29,8 +29,9 @@ SnapRule::SnapRule(double largest_coordinate, const CorefineOptions& options, bo
 
 Snap SnapRule::at(double size) const {
   const double weld = std::max(options_.weld_share * size, rounding_);
-  if (!features_) return {weld, weld};
-  return {std::max(weld, std::min(options_.tolerance.at(size), kLargestSnap * size)), weld};
+  if (!features_) return {weld, weld, weld};
+  const double asked = std::max(weld, options_.tolerance.at(size));
+  return {std::max(weld, std::min(asked, kLargestSnap * size)), weld, asked};
 }
 
 Snap Meeting::snap(const FacePair& p) const {
@@ -100,7 +101,7 @@ namespace {
 Box grown_box(const Complex& complex, FaceId f, std::span<const double> size, const SnapRule& rule) {
   Box box;
   for (const Vec3 p : complex.corners(f)) box.add(p);
-  return box.grown(2 * rule.at(size[f.value]).feature);
+  return box.grown(2 * rule.at(size[f.value]).asked);
 }
 
 struct BoxedFaces {
@@ -149,7 +150,7 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
   for (std::size_t i = 0; i < a.faces.size(); ++i)
     tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
       const FaceId f = a.faces[i], g = b.faces[j];
-      const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).feature;
+      const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).asked;
       if (!is_beside(complex, f, g, gap) && !is_beside(complex, g, f, gap)) pairs.push_back({f, g});
     });
   std::sort(pairs.begin(), pairs.end());

@@ -35,8 +35,9 @@ using FacePair = std::array<LocalFace, 2>;
 
 /// Lengths below which two things are one place, for a pair of faces.
 struct Snap {
-  double feature = 0;  // the user's tolerance
+  double feature = 0;  // the user's tolerance, where features attract what is near
   double weld = 0;     // everything else
+  double asked = 0;    // the tolerance in full, as far as free edges are extended
   [[nodiscard]] double of(bool is_feature) const { return is_feature ? feature : weld; }
 };
 

@@ -26,7 +26,7 @@ class Search {
   std::vector<Corefined::OpenGap> run() {
     for (const FacePair& p : m_.pairs) {
       const FaceId f = m_.side[0].face(p[0]), g = m_.side[1].face(p[1]);
-      tolerance_ = m_.rule.at(std::min(m_.size[f.value], m_.size[g.value])).feature;
+      tolerance_ = m_.rule.at(std::min(m_.size[f.value], m_.size[g.value])).asked;
       for (const std::size_t s : kSides) look_at_vertices(p, s);
       look_at_edges(p);
     }
@@ -53,7 +53,7 @@ class Search {
     for (const VertexId v : m_.side[s].corners(p[s])) {
       if (!m_.side[s].is_feature(v) || m_.has_symbol(s, v)) continue;
       if (std::abs(dot(n, m_.at(v) - t[0])) > tolerance_ * norm(n)) continue;
-      add({v.value, kNowhere}, p, m_.at(v), distance(m_.at(v), closest_on_triangle(m_.at(v), t).point));
+      add({v.value, kNowhere}, p, s, m_.at(v), distance(m_.at(v), closest_on_triangle(m_.at(v), t).point));
     }
   }
 
@@ -65,14 +65,15 @@ class Search {
         const auto& [c, d] = m_.side[1].ends(f);
         if (are_apart(m_.at(a), m_.at(b), m_.at(c), m_.at(d), tolerance_)) continue;
         const SegmentPair near = closest_between_segments(m_.at(a), m_.at(b), m_.at(c), m_.at(d));
-        add({e, f}, p, near.first.point, distance(near.first.point, near.second.point));
+        add({e, f}, p, m_.side[1].is_feature_edge(f) ? 1 : 0, near.first.point,
+            distance(near.first.point, near.second.point));
       }
   }
 
-  void add(std::array<std::uint32_t, 2> feature, const FacePair& p, Vec3 at, double apart) {
+  void add(std::array<std::uint32_t, 2> feature, const FacePair& p, std::size_t of, Vec3 at, double apart) {
     if (apart > tolerance_ || is_joined_beside(at)) return;
     const FaceId f = m_.side[0].face(p[0]), g = m_.side[1].face(p[1]);
-    found_.push_back({feature, {{m_.complex.parent[f.value], m_.complex.parent[g.value]}, at, apart}});
+    found_.push_back({feature, {{m_.complex.parent[f.value], m_.complex.parent[g.value]}, at, apart, of}});
   }
 
   [[nodiscard]] bool is_joined_beside(Vec3 at) const {

@@ -24,7 +24,7 @@ Result<void> check_options(const MergeOptions& o) {
     return refuse("tolerance of " + text_of(o.tolerance.value), "give a length of 0 or more, or a percentage");
   if (o.tolerance.relative && o.tolerance.value > 0.5)
     return refuse("tolerance of " + text_of(100 * o.tolerance.value) + " % of the edge length",
-                  "give at most 50 %; what is farther apart cannot be pulled together");
+                  "give at most 50 %, or a length in the unit of the files");
   if (o.trim && !(*o.trim > 0 && std::isfinite(*o.trim)))
     return refuse("loose ends of " + text_of(*o.trim) + " to be trimmed", "give a length above 0");
   if (o.size && !(*o.size > 0 && std::isfinite(*o.size)))

@@ -71,12 +71,14 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   merged.labels = std::move(*labels);
 
   watch.start("check", 0.9);
-  const Outcome outcome{inputs,   components, original,      corefined, final_complex,
-                        stitched, graft,      merged.labels, dropped,   two_layers};
+  const Outcome outcome{inputs,        components, original, corefined,     NodePlaces(inputs, corefined),
+                        final_complex, stitched,   graft,    merged.labels, dropped,
+                        two_layers};
   summarise(outcome, report);
   judge(outcome, zone.remeshed, translated, options, report);
   Dropped overlaid = dropped;
   add_losses(corefined, final_complex, two_layers, translated, graft, overlaid);
+  add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   if (!two_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
   Ledger ledger = ledger_of(inputs, graft, overlaid);
   report.groups = std::move(ledger.groups);

@@ -99,6 +99,26 @@ void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, cons
   find_shared(corefined);
 }
 
+void add_stretch(const Complex& original, const Corefined& corefined, const NodePlaces& places, const GroupSets& sets,
+                 std::size_t n_groups, Dropped& dropped) {
+  dropped.stretched_area.resize(n_groups), dropped.stretched_length.resize(n_groups);
+  for (std::size_t f = 0; f < original.n_faces(); ++f) {
+    const ElementRef parent = original.parent[f];
+    if (!places.is_moved(parent) ||
+        std::ranges::binary_search(corefined.covered, parent, {}, &Corefined::Covered::face))
+      continue;
+    const double growth = area(places.of(parent)) - area(original.corners(FaceId(f)));
+    for (const GroupId g : sets.members(original.face_groups[f])) dropped.stretched_area[g.value] += growth;
+  }
+  for (const Complex::Line& line : original.lines) {
+    if (!places.is_moved(line.parent)) continue;
+    const auto& [a, b] = line.ends;
+    const double growth = distance(places.of(original.node[a.value]), places.of(original.node[b.value])) -
+                          distance(original.position[a.value], original.position[b.value]);
+    for (const GroupId g : sets.members(line.groups)) dropped.stretched_length[g.value] += growth;
+  }
+}
+
 DroppedEntry entry_of(const Complex& complex, std::span<const FaceId> faces, const GroupSets& sets,
                       std::span<const MergedGroup> groups) {
   DroppedEntry entry;

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "intersect/corefine.hpp"
+#include "merge/node_places.hpp"
 #include "meshgraft/graft.hpp"
 #include "meshgraft/report.hpp"
 
 namespace meshgraft {
 
-/// What an operation took out on purpose, so that no check takes it for lost.
+/// What an operation took out or added on purpose, so that no check takes it for a fault.
 struct Dropped {
   using Segment = std::array<Vec3, 2>;
   std::vector<Segment> borders;     // edges that became free
@@ -23,10 +24,19 @@ struct Dropped {
   [[nodiscard]] bool touches(GroupId g) const { return touched.size() > g.value && touched[g.value] != 0; }
   [[nodiscard]] double area_of(GroupId g) const { return area.size() > g.value ? area[g.value] : 0; }
   [[nodiscard]] double length_of(GroupId g) const { return length.size() > g.value ? length[g.value] : 0; }
+  [[nodiscard]] double stretched_area_of(GroupId g) const {
+    return stretched_area.size() > g.value ? stretched_area[g.value] : 0;
+  }
+  [[nodiscard]] double stretched_length_of(GroupId g) const {
+    return stretched_length.size() > g.value ? stretched_length[g.value] : 0;
+  }
   std::vector<std::uint8_t> touched;  // by merged group: 1 if a member went or lost a face around it
   /// By input, ascending: whole elements that went and are neither faces of the complex nor lines on
   /// their edges. The amounts above are without them.
   std::vector<std::vector<ElementId>> elements;
+  /// By merged group: what faces and 1D elements have grown by (less than 0: shrunk) because nodes were moved to
+  /// close gaps; empty: none was.
+  std::vector<double> stretched_area, stretched_length;
   double slack = 0;  // area between curved borders and their chords, by which amounts may differ
 };
 
@@ -43,6 +53,11 @@ struct Dropped {
 ///   sets      the groups of the complex, of `n_groups` merged groups
 void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, const GroupSets& sets, std::size_t n_groups,
                 Dropped& dropped);
+
+/// Adds what faces and lines of the workpiece have grown by because nodes of theirs were moved. Faces that lay on
+/// others (Corefined::covered) are not looked at: they went.
+void add_stretch(const Complex& original, const Corefined& corefined, const NodePlaces& places, const GroupSets& sets,
+                 std::size_t n_groups, Dropped& dropped);
 
 /// The entry of the report for faces of one input.
 [[nodiscard]] DroppedEntry entry_of(const Complex& complex, std::span<const FaceId> faces, const GroupSets& sets,

@@ -67,6 +67,19 @@ Error to_error(Inputs inputs, const JunctionFault& fault) {
   return error;
 }
 
+namespace {
+
+/// What can be done about a gap that is left open.
+std::string hint_of(Inputs inputs, const Corefined::OpenGap& gap) {
+  if (gap.faces[gap.feature].input == 0 && inputs.size() > 1)
+    return "what ends there is of " + inputs[0]->path +
+           ", the base, whose nodes are never moved; give that as the part, and the other mesh as the base";
+  return "only free edges are drawn over gaps of more than a quarter of the edge length, and none where details are "
+         "smaller than the tolerance; a smaller --tolerance, or meshes that meet exactly there";
+}
+
+}  // namespace
+
 std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps) {
   std::vector<Error> errors;
   for (const Corefined::OpenGap& gap : gaps) {
@@ -75,8 +88,7 @@ std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::Ope
                               {gap.faces.begin(), gap.faces.end()},
                               gap.at};
     errors.push_back(to_error(inputs, fault));
-    errors.back().hint =
-        "details smaller than the tolerance stand in the way; a smaller --tolerance, or meshes that meet exactly there";
+    errors.back().hint = hint_of(inputs, gap);
   }
   return errors;
 }
@@ -129,7 +141,7 @@ std::optional<Error> nothing_joined(Inputs inputs, const Components& components,
                {path, 0}};
 }
 
-Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart) {
+Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart, std::span<const Corefined::OpenGap> gaps) {
   std::vector<std::string> missing, meeting;
   for (std::uint32_t k = 1; k < inputs.size(); ++k) {
     if (!std::ranges::binary_search(apart, k)) {
@@ -143,6 +155,11 @@ Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart) {
               "check position and units, give a larger --tolerance, or --allow-apart to add what is apart unjoined",
               {inputs[apart.front()]->path, 0}};
   if (!meeting.empty()) error.what += "; " + joined(meeting) + (meeting.size() == 1 ? " does" : " do");
+  for (const Corefined::OpenGap& gap : gaps)
+    if (std::ranges::any_of(gap.faces, [&](ElementRef f) { return std::ranges::binary_search(apart, f.input); })) {
+      error.hint = "the gap is within the tolerance, but " + hint_of(inputs, gap);
+      break;
+    }
   return error;
 }
 

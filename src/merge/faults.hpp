@@ -33,7 +33,9 @@ namespace meshgraft {
                                                   std::span<const std::array<std::uint32_t, 2>> met,
                                                   const std::vector<JoinedGroups>& joins);
 
-/// kPartsApart naming the parts apart, those that are not, and how far away they are.
-[[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart);
+/// kPartsApart naming the parts apart, those that are not, and how far away they are. `gaps` that were left
+/// open tell why a part within the tolerance is apart all the same.
+[[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart,
+                                std::span<const Corefined::OpenGap> gaps = {});
 
 }  // namespace meshgraft

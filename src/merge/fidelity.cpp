@@ -11,7 +11,7 @@
 namespace meshgraft {
 namespace {
 
-/// The faces of one component that were removed.
+/// The faces of one component that were removed, as they were and as their moved nodes have stretched them.
 class Reference {
  public:
   explicit Reference(std::vector<Triangle> removed) : faces_(std::move(removed)) {
@@ -52,8 +52,11 @@ class Measure {
     std::vector<std::vector<Triangle>> removed(outcome.components.size());
     for (std::uint32_t k = 0; k < outcome.inputs.size(); ++k)
       for (const ElementId e : outcome.graft.removed_elements[k])
-        if (const Model& model = *outcome.inputs[k]; model.is_face(e))
-          removed[outcome.components.of({k, e})].push_back(model.corners(e));
+        if (const Model& model = *outcome.inputs[k]; model.is_face(e)) {
+          std::vector<Triangle>& faces = removed[outcome.components.of({k, e})];
+          faces.push_back(model.corners(e));
+          if (outcome.places.is_moved({k, e})) faces.push_back(outcome.places.of(ElementRef{k, e}));
+        }
     for (auto& faces : removed) references_.emplace_back(std::move(faces));
   }
 

@@ -23,7 +23,7 @@ struct FidelityVerdict {
 };
 
 /// Measures corners, middles of edges and centroids of new faces against the removed faces of the
-/// same component. Cost O(log n) per new face.
+/// same component, also as these are with their nodes where gaps were closed. Cost O(log n) per new face.
 [[nodiscard]] FidelityVerdict fidelity_of(const Outcome& outcome, const Tolerance& tolerance,
                                           const FidelityLimits& limits = {});
 

@@ -31,6 +31,12 @@ Segment segment(const Complex& complex, VertexId a, VertexId b) {
   return {complex.position[a.value], complex.position[b.value]};
 }
 
+/// An edge of the workpiece with its nodes where they were moved to.
+Segment moved_segment(const Outcome& outcome, const EdgeUse& e) {
+  const Complex& before = outcome.original;
+  return {outcome.places.of(before.node[e.low.value]), outcome.places.of(before.node[e.high.value])};
+}
+
 /// Segments that others are looked for on.
 class Segments {
  public:
@@ -99,25 +105,25 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
 
   // What was dropped takes free edges with it and leaves new ones.
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
-  for (const EdgeUse& e : old_edges) old_segments.push_back(segment(before, e.low, e.high));
+  for (const EdgeUse& e : old_edges) old_segments.push_back(moved_segment(outcome, e));
   for (const EdgeUse& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
   for (const JunctionEdge& e : junction_of(after).edges) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
   const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments));
 
-  const auto matches = [&](const Complex& complex, const EdgeUse& e, std::span<const NodePair> known,
+  const auto matches = [&](const Complex& complex, const EdgeUse& e, const Segment& s, std::span<const NodePair> known,
                            const Segments& segments) {
     const ElementRef parent = complex.parent[e.face.value];
     const NodePair nodes = key(complex, e);
     if (nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes)) return true;
-    const Segment s = segment(complex, e.low, e.high);
     const double input_length = mean_edge_length(outcome.inputs[parent.input]->corners(parent.element));
     return segments.cover(s, std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length)));
   };
   FreeEdgeChanges changes;
   for (const EdgeUse& e : new_edges)
-    if (!matches(after, e, old_keys, was_free)) changes.cracks.push_back(e);
+    if (!matches(after, e, segment(after, e.low, e.high), old_keys, was_free)) changes.cracks.push_back(e);
   for (const EdgeUse& e : old_edges)
-    if (!matches(before, e, new_keys, is_free) && !went_with_its_face(outcome, before.parent[e.face.value]))
+    if (!matches(before, e, moved_segment(outcome, e), new_keys, is_free) &&
+        !went_with_its_face(outcome, before.parent[e.face.value]))
       changes.closed.push_back(e);
   return changes;
 }

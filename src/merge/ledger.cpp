@@ -161,6 +161,8 @@ std::string rule_of(const Change& change, const Dropped& dropped, std::size_t g,
   if (dropped.touches(GroupId(g)) && change.reduced[g] != 0) rules.emplace_back("reduced by what was dropped");
   if (change.inherited[g] == 0 && change.reduced[g] != 0 && !dropped.touches(GroupId(g)))
     rules.emplace_back("removed with their surroundings");
+  if (dropped.stretched_area_of(GroupId(g)) != 0 || dropped.stretched_length_of(GroupId(g)) != 0)
+    rules.emplace_back("stretched over gaps");
   if (change.joined[g] != 0) rules.emplace_back("joined by nodes that took another's place");
   if (change.overlaid[g] != 0) rules.emplace_back("joined by elements that stand for overlaid ones too");
   if (rules.empty()) return "untouched";
@@ -240,8 +242,10 @@ Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& beside, const
     const GroupId id(g);
     const std::string emptied = "had " + std::to_string(entry.members_before) + " members and is empty now";
     if (entry.members_before == 0 || entry.members_after > 0)
-      check(entry, {before.area - dropped.area_of(id), before.length - dropped.length_of(id), dropped.slack}, options,
-            ledger.broken);
+      check(entry,
+            {before.area - dropped.area_of(id) + dropped.stretched_area_of(id),
+             before.length - dropped.length_of(id) + dropped.stretched_length_of(id), dropped.slack},
+            options, ledger.broken);
     else if (dropped.touches(id))
       ledger.warnings.push_back({"emptied-group", "group " + group.name + " " + emptied + ": all were dropped", {}});
     else

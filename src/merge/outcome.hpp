@@ -9,6 +9,7 @@
 #include "intersect/corefine.hpp"
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
+#include "merge/node_places.hpp"
 #include "merge/stitch.hpp"
 #include "meshgraft/graft.hpp"
 
@@ -19,6 +20,7 @@ struct Outcome {
   const Components& components;
   const Complex& original;       // the workpiece
   const Corefined& corefined;    // the same, cut along the junction
+  NodePlaces places;             // of the nodes of the inputs in it
   const Complex& final_complex;  // remeshed
   const Stitched& stitched;
   const Graft& graft;

@@ -10,6 +10,8 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kRounding = 1.0 / (1L << 36);  // of a place: a node that moves less has not been moved
+
 std::uint64_t count_faces(const Model& model, const std::vector<ElementId>& elements) {
   return static_cast<std::uint64_t>(std::ranges::count_if(elements, [&](ElementId e) { return model.is_face(e); }));
 }
@@ -49,10 +51,11 @@ void list_labels(const Outcome& outcome, Report& report) {
 }
 
 void list_moves(const Outcome& outcome, Report& report) {
-  for (const Graft::MovedNode& m : outcome.graft.moved_nodes) {
-    const Model& model = *outcome.inputs[m.node.input];
-    const Vec3 from = model.position[m.node.node.value];
-    report.moved.push_back({m.node.input, model.node_label[m.node.node.value], from, m.to, distance(from, m.to)});
+  for (const auto& [node, to] : outcome.places.moved()) {
+    const Model& model = *outcome.inputs[node.input];
+    const Vec3 from = model.position[node.node.value];
+    if (distance(from, to) <= kRounding * norm(from)) continue;
+    report.moved.push_back({node.input, model.node_label[node.node.value], from, to, distance(from, to)});
   }
 }
 

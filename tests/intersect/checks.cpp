@@ -182,7 +182,7 @@ class Checker {
     std::set<NodeRef> listed;
     for (const auto& m : after_.moves) {
       listed.insert(m.node);
-      if (distance(m.from, m.to) > 1.000001 * options_.tolerance.at(size[m.node]) + rounding())
+      if (distance(m.from, m.to) > 2.000001 * options_.tolerance.at(size[m.node]) + rounding())
         fault("node ", m.node.node.value, " moved by ", distance(m.from, m.to));
     }
     for (const auto& r : after_.replaced) listed.insert(r.node);

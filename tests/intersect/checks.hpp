@@ -24,7 +24,7 @@ namespace meshgraft::checks {
 ///                length that they had (within `slack`)
 ///   joined       junction edges are the edges of several components; a junction curve ends only on
 ///                a free edge of a component (not asked if `may_end`)
-///   bounded      no vertex of the first component moved, others at most by the tolerance
+///   bounded      no vertex of the first component moved, others at most by twice the tolerance
 struct Check {
   double slack = 1e-9;   // relative, of lengths and areas of later components
   bool may_end = false;  // the parts may leave each other beyond the tolerance

@@ -74,7 +74,8 @@ class HandMade {
   }
 
   [[nodiscard]] Outcome outcome() const {
-    return {inputs_, components, original, corefined, final_complex, stitched, graft, labels, dropped};
+    return {inputs_,       components, original, corefined, NodePlaces(inputs_, corefined),
+            final_complex, stitched,   graft,    labels,    dropped};
   }
 
   [[nodiscard]] Model result() const { return apply(models_[0], parts(), Merged{graft, labels, {}}); }

@@ -240,9 +240,42 @@ TEST(Merge, AShortPartIsPulledOntoTheWallAndEachMoveIsReported) {
   expect_laws(base, parts, m);
   for (const MovedEntry& moved : m.report.moved) {
     EXPECT_EQ(moved.input, 1u);
-    EXPECT_LE(moved.distance, 0.01 * kSize * 2);
+    EXPECT_NEAR(moved.distance, gap, 1e-12);
   }
-  EXPECT_EQ(m.report.moved.size(), m.graft.moved_nodes.size());
+  // The whole foot, also the nodes that the remeshing has taken away.
+  const auto of_foot = [&](Vec3 p) { return p.z == gap; };
+  EXPECT_EQ(m.report.moved.size(), static_cast<std::size_t>(std::ranges::count_if(parts[0].position, of_foot)));
+}
+
+TEST(Merge, ALeaningPartThatEndsShortOfTheWallIsExtendedInItsOwnPlane) {
+  const double lean = 0.8, gap = 0.4 * kSize;
+  const Vec3 up{0, std::cos(lean), std::sin(lean)}, normal{0, -std::sin(lean), std::cos(lean)};
+  const Model base = wall();
+  const std::vector<Model> parts{
+      scenes::staggered_plate({0.33, 0.97, gap}, {1.28, 0, 0}, 0.43 * up, kSize, "PART", 0.15)};
+  MergeOptions options;
+  options.tolerance = {0.5 * kSize, false};
+  const Merged m = merged(base, parts, options);
+  EXPECT_TRUE(m.report.broken_promises.empty());
+  ASSERT_FALSE(m.report.moved.empty());
+  for (const MovedEntry& moved : m.report.moved) {
+    EXPECT_NEAR(dot(moved.to - moved.from, normal), 0, 1e-12);
+    EXPECT_NEAR(moved.to.z, 0, 1e-12);
+  }
+  const auto part = std::ranges::find(m.report.groups, "PART", &GroupEntry::name);
+  EXPECT_NEAR(part->area_after - part->area_before, 1.28 * gap / std::sin(lean), 1e-9);
+  EXPECT_NE(part->rule.find("stretched over gaps"), std::string::npos);
+}
+
+TEST(Merge, ABaseThatEndsShortOfAPartIsToldToBeThePart) {
+  const std::vector<Model> parts{wall()};
+  const Model base = scenes::staggered_plate({0.33, 0.97, 0.4 * kSize}, {1.28, 0, 0}, {0, 0, 0.43}, kSize, "STIFFENER");
+  MergeOptions options;
+  options.tolerance = {0.5 * kSize, false};
+  const auto result = merge(base, parts, options);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kPartsApart);
+  EXPECT_NE(result.error().hint.find("never moved"), std::string::npos) << result.error().hint;
 }
 
 TEST(Merge, CoarseTubesKeepTheirSurfaceAndTheirEnds) {

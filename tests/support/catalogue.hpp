@@ -16,6 +16,7 @@ struct Merge {
   double min_q = 0.5;   // the least Q that the input angles allow
   double mean_q = 0.9;  // 0.85 where sizes grade
   bool apart = false;   // the part misses the base
+  double joined_length = 0;  // of the junction; 0: not said
   MergeOptions options;
 };
 
@@ -24,5 +25,8 @@ struct Merge {
 
 /// Merges of meshes that lie on each other (face/face mode).
 [[nodiscard]] std::vector<Merge> contact_catalogue();
+
+/// Merges over gaps of a share of the edge length or more.
+[[nodiscard]] std::vector<Merge> gap_catalogue();
 
 }  // namespace meshgraft::scenes

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   }
   std::vector<meshgraft::scenes::Merge> all = meshgraft::scenes::catalogue();
   for (auto& scene : meshgraft::scenes::contact_catalogue()) all.push_back(std::move(scene));
+  for (auto& scene : meshgraft::scenes::gap_catalogue()) all.push_back(std::move(scene));
   for (const auto& scene : all) {
     const std::filesystem::path folder = std::filesystem::path(argv[1]) / scene.name;
     std::filesystem::create_directories(folder);

@@ -1,0 +1,272 @@
+#include "intersect/extend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kAlong = 0.5;        // cosine of an edge to the normal of a surface, up to which it runs along that
+constexpr double kOneEnd = 0.7;       // cosine of the directions across two free edges, from which they are one end
+constexpr double kLeastSine = 0.1;    // of the angle between a way and the surface it ends on
+constexpr double kInPlane = 0.5;      // sine of the angle by which a way may leave the tangent plane
+constexpr double kLeastHeight = 0.2;  // of a face, over what it was
+
+/// The surface that free edges end on.
+class Surface {
+ public:
+  Surface(const Complex& complex, std::span<const FaceId> faces) : complex_(complex), faces_(faces) {
+    std::vector<Box> boxes(faces.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (const Vec3 p : complex.corners(faces[i])) boxes[i].add(p);
+    tree_ = BoxTree(boxes);
+  }
+
+  struct Foot {
+    FaceId face;  // invalid: none is within the limit
+    Vec3 point;
+  };
+  [[nodiscard]] Foot nearest(Vec3 p, double limit) const {
+    const auto squared_distance = [&](std::uint32_t i) {
+      return squared_norm(p - closest_on_triangle(p, complex_.corners(faces_[i])).point);
+    };
+    const auto found = tree_.nearest(p, squared_distance, limit * limit);
+    if (!found.found()) return {};
+    const FaceId f = faces_[found.item];
+    return {f, closest_on_triangle(p, complex_.corners(f)).point};
+  }
+
+  struct Hit {
+    double way = 0;  // signed
+    Vec3 point, normal;
+  };
+  /// The nearest place, within `reach` either way, where the line through p along the unit vector u goes
+  /// through the surface.
+  [[nodiscard]] std::optional<Hit> along(Vec3 p, Vec3 u, double reach, double slack) const {
+    std::optional<Hit> best;
+    Box way;
+    way.add(p - reach * u), way.add(p + reach * u);
+    tree_.overlapping(way.grown(slack), [&](std::uint32_t i) {
+      const Triangle t = complex_.corners(faces_[i]);
+      const Vec3 n = unit_normal(t);
+      const double sine = dot(n, u);
+      if (std::abs(sine) < kLeastSine) return;
+      const double s = dot(n, t[0] - p) / sine;
+      if (std::abs(s) > reach || (best && std::abs(s) >= std::abs(best->way))) return;
+      const Vec3 at = closest_on_triangle(p + s * u, t).point;
+      if (distance(at, p + s * u) <= slack) best = Hit{s, at, n};
+    });
+    return best;
+  }
+
+ private:
+  const Complex& complex_;
+  std::span<const FaceId> faces_;
+  BoxTree tree_;
+};
+
+/// A free edge as seen from one of its ends.
+struct End {
+  VertexId other;
+  FaceId face;
+  Vec3 across;  // unit, in the face, away from it
+};
+
+using EndsAt = std::map<VertexId, std::vector<End>>;
+
+EndsAt free_ends(const Complex& complex, std::span<const FaceId> own, std::span<const std::uint8_t> owns) {
+  struct Use {
+    std::array<VertexId, 2> edge;
+    FaceId face;
+    bool is_own = false;
+  };
+  std::vector<std::uint8_t> is_own(complex.n_faces()), near(complex.n_vertices());
+  for (const FaceId f : own) {
+    is_own[f.value] = 1;
+    for (const VertexId v : complex.face[f.value]) near[v.value] = 1;
+  }
+  std::vector<Use> uses;
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    for (std::size_t k = 0; owns[f] != 0 && k < 3; ++k) {
+      const auto [a, b] = std::minmax(complex.face[f][k], complex.face[f][(k + 1) % 3]);
+      if (near[a.value] != 0 && near[b.value] != 0) uses.push_back({{a, b}, FaceId(f), is_own[f] != 0});
+    }
+  std::ranges::stable_sort(uses, {}, &Use::edge);
+  EndsAt ends;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const bool alone =
+        (i == 0 || uses[i - 1].edge != uses[i].edge) && (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
+    if (!alone || !uses[i].is_own) continue;
+    const auto [a, b] = uses[i].edge;
+    const Triangle t = complex.corners(uses[i].face);
+    const Vec3 along = normalized(complex.position[b.value] - complex.position[a.value]);
+    const Vec3 inside = centroid(t) - complex.position[a.value];
+    const Vec3 across = normalized(dot(inside, along) * along - inside);
+    ends[a].push_back({b, uses[i].face, across});
+    ends[b].push_back({a, uses[i].face, across});
+  }
+  return ends;
+}
+
+class Extender {
+ public:
+  Extender(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
+           std::span<const std::uint8_t> owns, std::span<const double> size, std::span<const std::uint8_t> exact,
+           const ExtendRule& rule)
+      : complex_(complex),
+        own_(own),
+        size_(size),
+        exact_(exact),
+        rule_(rule),
+        surface_(complex, other),
+        ends_(free_ends(complex, own, owns)),
+        held_(complex.n_vertices()) {
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      for (const VertexId v : complex.face[f])
+        if (owns[f] == 0 || complex.state[v.value] == VertexState::kFrozen) held_[v.value] = 1;
+  }
+
+  std::vector<Extension> run() {
+    for (const auto& [v, ends] : ends_) find_gap(v, ends);
+    for (const auto& [v, gap] : gaps_)
+      if (const auto to = target(v, gap); to && distance(*to, at(v)) > gap.weld) target_.emplace(v, *to);
+    while (take_back_bad_ones()) {
+    }
+    std::vector<Extension> all;
+    for (const auto& [v, to] : target_) all.push_back({v, to});
+    return all;
+  }
+
+ private:
+  struct Gap {
+    Vec3 across;  // to the nearest point of the surface
+    double tolerance = 0, weld = 0;
+    bool is_open = false;  // it is wider than rounding; a corner may end on one wall and be short of the next
+  };
+
+  [[nodiscard]] Vec3 at(VertexId v) const { return complex_.position[v.value]; }
+  [[nodiscard]] bool is_exact(FaceId f) const { return !exact_.empty() && exact_[f.value] != 0; }
+
+  void find_gap(VertexId v, const std::vector<End>& ends) {
+    double finest = std::numeric_limits<double>::infinity();
+    for (const End& e : ends) {
+      if (is_exact(e.face)) return;
+      finest = std::min(finest, size_[e.face.value]);
+    }
+    const Surface::Foot foot = surface_.nearest(at(v), rule_.tolerance.at(finest));
+    if (!foot.face.valid() || is_exact(foot.face)) return;
+    const double size = std::min(finest, size_[foot.face.value]);
+    const Vec3 across = foot.point - at(v);
+    const double weld = rule_.snap.at(size).weld;
+    if (norm(across) <= rule_.tolerance.at(size))
+      gaps_[v] = {across, rule_.tolerance.at(size), weld, norm(across) > weld};
+  }
+
+  /// Whether a free edge ends on the surface: it is near that as a whole and runs along it.
+  [[nodiscard]] bool is_ending(VertexId v, const Gap& gap, const End& edge) const {
+    const auto far = gaps_.find(edge.other);
+    if (far == gaps_.end()) return false;
+    const Vec3 along = normalized(at(edge.other) - at(v));
+    const auto runs_along = [&](const Gap& g) {
+      return g.is_open && std::abs(dot(along, g.across)) <= kAlong * norm(g.across);
+    };
+    return runs_along(gap) || runs_along(far->second);
+  }
+
+  [[nodiscard]] std::optional<Vec3> target(VertexId v, const Gap& gap) const {
+    if (held_[v.value] != 0) return std::nullopt;
+    const std::vector<End>& ends = ends_.at(v);
+    std::vector<const End*> ending;
+    for (const End& e : ends)
+      if (is_ending(v, gap, e)) ending.push_back(&e);
+    if (ending.empty()) return std::nullopt;
+    Vec3 mean;
+    for (const End* e : ending) mean += e->across;
+    mean = normalized(mean);
+    const bool one_end = std::ranges::all_of(ending, [&](const End* e) { return dot(e->across, mean) >= kOneEnd; });
+    if (!one_end) return ending.size() == 2 ? corner_target(v, gap, *ending[0], *ending[1]) : std::nullopt;
+    // Along another free edge that stays: it remains straight.
+    Vec3 way = mean;
+    for (const End& e : ends)
+      if (const Vec3 u = normalized(at(v) - at(e.other)); !is_ending(v, gap, e) && dot(u, mean) >= kAlong) way = u;
+    if (const auto hit = hit_along(v, gap, way)) return hit->point;
+    if (!gap.is_open) return std::nullopt;
+    if (const auto hit = hit_along(v, gap, mean)) return hit->point;
+    return nearest_in_plane(v, gap, ending, mean);
+  }
+
+  [[nodiscard]] std::optional<Surface::Hit> hit_along(VertexId v, const Gap& gap, Vec3 u) const {
+    return surface_.along(at(v), u, rule_.longest_way * gap.tolerance, gap.weld);
+  }
+
+  /// Of a corner whose two edges both end: the place where their ends meet.
+  [[nodiscard]] std::optional<Vec3> corner_target(VertexId v, const Gap& gap, const End& a, const End& b) const {
+    const Vec3 u = normalized(at(v) - at(a.other)), w = normalized(at(v) - at(b.other));
+    const auto on_u = hit_along(v, gap, u), on_w = hit_along(v, gap, w);
+    if (!on_u || !on_w) return std::nullopt;
+    const double uu = dot(on_u->normal, u), uw = dot(on_u->normal, w);
+    const double wu = dot(on_w->normal, u), ww = dot(on_w->normal, w);
+    const double det = uu * ww - uw * wu;
+    if (std::abs(det) < kLeastSine * kLeastSine) return std::nullopt;
+    const double p = uu * on_u->way, q = ww * on_w->way;
+    const Vec3 to = at(v) + ((p * ww - q * uw) / det) * u + ((q * uu - p * wu) / det) * w;
+    const Surface::Foot foot = surface_.nearest(to, gap.tolerance);
+    if (!foot.face.valid() || distance(foot.point, at(v)) > rule_.longest_way * gap.tolerance) return std::nullopt;
+    return foot.point;
+  }
+
+  [[nodiscard]] std::optional<Vec3> nearest_in_plane(VertexId v, const Gap& gap, const std::vector<const End*>& ending,
+                                                     Vec3 mean) const {
+    const double width = norm(gap.across);
+    const auto leaves_plane = [&](const End* e) {
+      return std::abs(dot(unit_normal(complex_.corners(e->face)), gap.across)) > kInPlane * width;
+    };
+    if (std::abs(dot(gap.across, mean)) < kInPlane * width || std::ranges::any_of(ending, leaves_plane))
+      return std::nullopt;
+    return at(v) + gap.across;
+  }
+
+  bool take_back_bad_ones() {
+    std::vector<VertexId> bad;
+    for (const FaceId f : own_) {
+      Triangle after = complex_.corners(f);
+      bool moved = false;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const auto to = target_.find(complex_.face[f.value][k]); to != target_.end())
+          after[k] = to->second, moved = true;
+      if (!moved) continue;
+      const Vec3 before = area_vector(complex_.corners(f));
+      if (dot(area_vector(after), before) < kLeastHeight * squared_norm(before))
+        bad.insert(bad.end(), complex_.face[f.value].begin(), complex_.face[f.value].end());
+    }
+    bool any = false;
+    for (const VertexId v : bad) any = target_.erase(v) > 0 || any;
+    return any;
+  }
+
+  const Complex& complex_;
+  std::span<const FaceId> own_;
+  std::span<const double> size_;
+  std::span<const std::uint8_t> exact_;
+  const ExtendRule& rule_;
+  Surface surface_;
+  EndsAt ends_;
+  std::vector<std::uint8_t> held_;  // by vertex: it stays
+  std::map<VertexId, Gap> gaps_;    // of ends within the tolerance
+  std::map<VertexId, Vec3> target_;
+};
+
+}  // namespace
+
+std::vector<Extension> extensions(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
+                                  std::span<const std::uint8_t> owns, std::span<const double> size,
+                                  std::span<const std::uint8_t> exact, const ExtendRule& rule) {
+  return Extender(complex, own, other, owns, size, exact, rule).run();
+}
+
+}  // namespace meshgraft

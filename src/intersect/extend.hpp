@@ -1,0 +1,46 @@
+// Free edges that stop short of another mesh, or stick out beyond it, brought onto it along their own surface.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "intersect/meeting.hpp"
+
+namespace meshgraft {
+
+/// Where a vertex of a free edge goes so that the edge ends on another mesh.
+struct Extension {
+  VertexId vertex;
+  Vec3 to;
+};
+
+/// Lengths and angles of extension.
+struct ExtendRule {
+  const Tolerance& tolerance;  // by the smaller of the mean edge lengths of the faces across the gap
+  const SnapRule& snap;        // what is nearer than its weld length is there already
+  /// Over the tolerance: how far a leaning part may go along itself, which is farther than the gap is wide.
+  /// 2 is a part that leans 30 degrees.
+  double longest_way = 2;
+};
+
+/// Extensions of the free edges of `own`, faces of one component, to the surface of `other`, in order of the
+/// vertices.
+///
+///  (1) An edge is extended if both its ends are within the tolerance of the other surface and it runs
+///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not.
+///  (2) A vertex goes along the tangent plane of its faces, across its free edge; at a corner along the other
+///      free edge, so that this stays straight; where both edges end, to where their ways meet.
+///  (3) Where that way meets nothing, as between plates side by side, it goes to the nearest point of the
+///      other surface, if that lies in its tangent plane.
+///  (4) No face of `own` turns over or loses most of its height: such vertices stay.
+///
+/// `owns`: by face, whether it goes with `own`: what hangs together with it counts in telling free edges. `exact`: by
+/// face, whether gaps at it are left open; may be empty. Vertices that are frozen, or of faces that `owns` leaves out,
+/// stay.
+[[nodiscard]] std::vector<Extension> extensions(const Complex& complex, std::span<const FaceId> own,
+                                                std::span<const FaceId> other, std::span<const std::uint8_t> owns,
+                                                std::span<const double> size, std::span<const std::uint8_t> exact,
+                                                const ExtendRule& rule);
+
+}  // namespace meshgraft
