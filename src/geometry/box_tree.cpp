@@ -50,4 +50,13 @@ void BoxTree::split(std::uint32_t node, std::uint32_t first, std::span<Item> ite
   split(child + 1, first + static_cast<std::uint32_t>(half), items.subspan(half));
 }
 
+bool BoxTree::meets(std::uint32_t n, const Box& box) const {
+  const TreeNode& node = nodes_[n];
+  if (!node.box.overlaps(box)) return false;
+  if (node.count == 0) return meets(node.first, box) || meets(node.first + 1, box);
+  for (std::uint32_t k = 0; k < node.count; ++k)
+    if (boxes_[node.first + k].overlaps(box)) return true;
+  return false;
+}
+
 }  // namespace meshgraft

@@ -25,6 +25,9 @@ class BoxTree {
     if (!empty()) visit(0, box, f);
   }
 
+  /// Whether any box overlaps `box`; ends at the first.
+  [[nodiscard]] bool meets(const Box& box) const { return !empty() && meets(0, box); }
+
   struct Nearest {
     std::uint32_t item = std::numeric_limits<std::uint32_t>::max();
     double squared_distance = std::numeric_limits<double>::infinity();
@@ -67,6 +70,8 @@ class BoxTree {
     for (std::uint32_t k = 0; k < node.count; ++k)
       if (boxes_[node.first + k].overlaps(box)) f(order_[node.first + k]);
   }
+
+  [[nodiscard]] bool meets(std::uint32_t n, const Box& box) const;
 
   template <class F>
   void descend(std::uint32_t n, Vec3 p, F& squared_distance, Nearest& best) const {

@@ -10,24 +10,41 @@
 namespace meshgraft {
 namespace {
 
+/// Empty if the element is not a face.
+Box box_of(const Model& model, ElementId e) {
+  Box box;
+  if (model.is_face(e))
+    for (const Vec3 p : model.corners(e)) box.add(p);
+  return box;
+}
+
 struct GrownFace {
   ElementRef face;
   std::uint32_t component = 0;
   Box box;
 };
 
+double longest_side(const Box& box) {
+  const Vec3 d = box.high - box.low;
+  return std::max({d.x, d.y, d.z});
+}
+
 /// The box of a face, grown alike in all directions (a flat box has to grow across, too).
 Box grown_box(const Model& model, ElementId face, const SearchOptions& options) {
-  const Triangle corner = model.corners(face);
-  Box box;
-  for (const Vec3 p : corner) box.add(p);
-  const Vec3 d = box.high - box.low;
-  const double side = std::max({d.x, d.y, d.z});
+  const Box box = box_of(model, face);
+  const double side = longest_side(box);
   double by = 0.5 * (options.box_scale - 1) * side;
   // No edge is longer than the diagonal: mostly that bound spares the three square roots.
   const double longest_edge = std::sqrt(3.0) * side;
-  if (options.tolerance.at(longest_edge) > by) by = std::max(by, options.tolerance.at(mean_edge_length(corner)));
+  if (options.tolerance.at(longest_edge) > by)
+    by = std::max(by, options.tolerance.at(mean_edge_length(model.corners(face))));
   return box.grown(by);
+}
+
+/// A box around the grown boxes of all faces in a box.
+Box grown_around(const Box& faces, const SearchOptions& options) {
+  const double side = longest_side(faces);
+  return faces.grown(std::max(0.5 * (options.box_scale - 1) * side, options.tolerance.at(std::sqrt(3.0) * side)));
 }
 
 class Search {
@@ -74,7 +91,8 @@ class Search {
       for (ElementId e(first); e.value < last; ++e.value)
         if (model.is_face(e)) of_block[first / kBlock].add(grown_box(model, e, options_));
     });
-    for (const Box& box : of_block) boxes_[components_.of_input[k]].add(box);
+    for (const Box& box : of_block)
+      if (!box.empty()) boxes_[components_.of_input[k]].add(box);
   }
 
   /// The tree over the boxes of components known so far.
@@ -96,13 +114,28 @@ class Search {
   /// The faces of an input whose grown box meets the box of another component.
   void add_near(std::uint32_t k) {
     const Model& model = *inputs_[k];
-    const auto near = collected<GrownFace>(model.n_elements(), [&](std::size_t i, std::vector<GrownFace>& out) {
-      const ElementRef e{k, ElementId(i)};
-      if (!model.is_face(e.element)) return;
-      const GrownFace face{e, components_.of(e), grown_box(model, e.element, options_)};
-      if (is_near_another(face.component, face.box)) out.push_back(face);
-    });
+    const auto box = [&](std::size_t i) { return box_of(model, ElementId(i)); };
+    const auto may_be_near = [&](std::size_t first, std::size_t last, const Box& run) {
+      return may_be_near_another(k, first, last, grown_around(run, options_));
+    };
+    const auto near = collected_near<GrownFace>(
+        model.n_elements(), box, may_be_near, [&](std::size_t i, std::vector<GrownFace>& out) {
+          const ElementRef e{k, ElementId(i)};
+          if (!model.is_face(e.element)) return;
+          const GrownFace face{e, components_.of(e), grown_box(model, e.element, options_)};
+          if (is_near_another(face.component, face.box)) out.push_back(face);
+        });
     near_.insert(near_.end(), near.begin(), near.end());
+  }
+
+  /// False if no face of a run of elements inside `box` is near another component.
+  [[nodiscard]] bool may_be_near_another(std::uint32_t k, std::size_t first, std::size_t last, const Box& box) const {
+    const std::uint32_t component = components_.of({k, ElementId(first)});
+    const auto& of = components_.of_element[k];
+    const bool one = of.empty() || std::all_of(of.begin() + static_cast<std::ptrdiff_t>(first),
+                                               of.begin() + static_cast<std::ptrdiff_t>(last),
+                                               [&](std::uint32_t c) { return c == component; });
+    return !one || is_near_another(component, box);
   }
 
   [[nodiscard]] std::uint32_t largest_component() const {
@@ -112,22 +145,17 @@ class Search {
   }
 
   /// Marks the faces whose boxes meet. Those of the largest component are not in the tree: they do
-  /// not meet each other. Faces that follow each other in a file mostly lie together: a run of them
-  /// that is far from the tree costs one query.
+  /// not meet each other.
   void mark() {
-    constexpr std::size_t kRun = 64;
     const std::uint32_t largest = largest_component();
     std::vector<Box> boxes;
     std::vector<std::uint32_t> item;
     for (std::uint32_t i = 0; i < near_.size(); ++i)
       if (near_[i].component != largest) boxes.push_back(near_[i].box), item.push_back(i);
     const BoxTree tree(boxes);
-    const auto mark_run = [&](std::size_t first, std::size_t last) {
-      Box run;
-      for (std::size_t i = first; i < last; ++i) run.add(near_[i].box);
-      bool any = false;
-      tree.overlapping(run, [&](std::uint32_t) { any = true; });
-      for (std::size_t i = first; any && i < last; ++i)
+    const auto mark_run = [&](std::size_t first, std::size_t last, const Box& run) {
+      if (!tree.meets(run)) return;
+      for (std::size_t i = first; i < last; ++i)
         tree.overlapping(near_[i].box, [&](std::uint32_t j) {
           if (!components_.joins.are_joined(near_[i].component, near_[item[j]].component)) return;
           for (const std::size_t met : {i, std::size_t{item[j]}})
@@ -135,7 +163,8 @@ class Search {
         });
     };
     for_blocks(near_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; i += kRun) mark_run(i, std::min(last, i + kRun));
+      for_runs(
+          first, last, [&](std::size_t i) { return near_[i].box; }, mark_run);
     });
   }
 

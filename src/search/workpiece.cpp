@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "search/blocks.hpp"
-#include "search/region.hpp"
 
 namespace meshgraft {
 namespace {
@@ -14,18 +14,22 @@ double longest_edge(const Triangle& t) {
   return std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
 }
 
-Region region_around(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
-                     const WorkpieceOptions& options) {
-  std::vector<Reach> reaches;
+Box box_of(const Triangle& t) {
+  Box box;
+  for (const Vec3 p : t) box.add(p);
+  return box;
+}
+
+/// The boxes of the candidates, each grown by its reach.
+BoxTree region_around(std::span<const Model* const> inputs, std::span<const std::vector<ElementId>> candidates,
+                      const WorkpieceOptions& options) {
+  std::vector<Box> boxes;
   for (std::size_t k = 0; k < inputs.size(); ++k)
     for (const ElementId f : candidates[k]) {
       const Triangle t = inputs[k]->corners(f);
-      Reach r;
-      for (const Vec3 p : t) r.box.add(p);
-      r.distance = std::max(options.reach * longest_edge(t), options.least);
-      reaches.push_back(r);
+      boxes.push_back(box_of(t).grown(std::max(options.reach * longest_edge(t), options.least)));
     }
-  return Region(reaches);
+  return BoxTree(boxes);
 }
 
 /// A set of positions below n.
@@ -59,11 +63,15 @@ class Bits {
   std::vector<std::uint32_t> before_;  // by word: positions in the words before it
 };
 
-Bits nodes_inside(const Model& model, const Region& region) {
+Bits nodes_inside(const Model& model, const BoxTree& region) {
   Bits inside(model.n_nodes());
-  for_blocks(model.n_nodes(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      if (region.contains(model.position[i])) inside.set(i);
+  const auto point = [&](std::size_t i) { return Box{model.position[i], model.position[i]}; };
+  for_blocks(model.n_nodes(), [&](std::size_t first_of_block, std::size_t last_of_block) {
+    for_runs(first_of_block, last_of_block, point, [&](std::size_t first, std::size_t last, const Box& run) {
+      if (!region.meets(run)) return;
+      for (std::size_t i = first; i < last; ++i)
+        if (region.meets(point(i))) inside.set(i);
+    });
   });
   return inside;
 }
@@ -80,14 +88,14 @@ bool all_valid(std::span<const NodeId> nodes) {
   return std::all_of(nodes.begin(), nodes.end(), [](NodeId v) { return v.valid(); });
 }
 
-std::vector<ElementId> faces_inside(const Model& model, const Region& region, const Bits& inside) {
-  return collected<ElementId>(model.n_elements(), [&](std::size_t i, std::vector<ElementId>& out) {
+/// Faces that meet the region and have all their nodes.
+std::vector<ElementId> faces_inside(const Model& model, const BoxTree& region, const Bits& inside) {
+  const auto is_face = [&](ElementId e) { return model.is_face(e) && all_valid(model.nodes_of(e)); };
+  const auto box = [&](std::size_t i) { return is_face(ElementId(i)) ? box_of(model.corners(ElementId(i))) : Box{}; };
+  const auto near = [&](std::size_t, std::size_t, const Box& run) { return region.meets(run); };
+  return collected_near<ElementId>(model.n_elements(), box, near, [&](std::size_t i, std::vector<ElementId>& out) {
     const ElementId e(i);
-    if (!model.is_face(e) || !all_valid(model.nodes_of(e))) return;
-    if (any_in(inside, model.nodes_of(e))) return out.push_back(e);
-    Box box;
-    for (const Vec3 p : model.corners(e)) box.add(p);
-    if (region.meets(box)) out.push_back(e);
+    if (is_face(e) && (any_in(inside, model.nodes_of(e)) || region.meets(box(i)))) out.push_back(e);
   });
 }
 
@@ -163,7 +171,7 @@ class Cutter {
         translation_(std::move(translation)),
         taken_(model.n_nodes()) {}
 
-  void cut(const Region& region) {
+  void cut(const BoxTree& region) {
     const Bits inside = nodes_inside(model_, region);
     const std::vector<ElementId> faces = faces_inside(model_, region, inside);
     for (const ElementId f : faces)
@@ -276,7 +284,7 @@ Complex workpiece(std::span<const Model* const> inputs, const Components& compon
                   std::span<const std::vector<ElementId>> candidates,
                   std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                   const WorkpieceOptions& options) {
-  const Region region = region_around(inputs, candidates, options);
+  const BoxTree region = region_around(inputs, candidates, options);
   Complex complex;
   complex.joins = components.joins;
   AttributesTable table;
