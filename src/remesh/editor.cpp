@@ -225,13 +225,11 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
     const SheetId sheet = mesh_.face(faces[0]).sheet;
     const Vec3 middle = midpoint(mesh_.position(a), mesh_.position(b));
     LocalVertex v;
-    v.position = middle, v.dimension = Dimension::kSheet, v.fixed = false, v.sheet = sheet;
+    v.dimension = Dimension::kSheet, v.fixed = false, v.sheet = sheet;
     for (const VertexId end : {a, b})
       if (mesh_.vertex(end).dimension == Dimension::kSheet) v.beneath = mesh_.vertex(end).beneath;
-    if (!mesh_.sheet(sheet).planar) {
-      const Foot foot = reference_.project(sheet, middle, v.beneath);
-      v.position = foot.point, v.beneath = foot.face;
-    }
+    const Foot foot = reference_.place(sheet, middle, v.beneath);
+    v.position = foot.point, v.beneath = foot.face;
     id = mesh_.add_vertex(v);
     split_faces(a, b, *id, faces);
   }

@@ -60,12 +60,7 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
   int n_trials = 0;
   const auto attempt = [&](Vec3 p) {
     ++n_trials;
-    Foot foot{p, to.beneath, 0};
-    if (sheet.planar) {
-      foot.point = p - dot(p - to.position, normal) * normal;
-    } else {
-      foot = reference_.project(to.sheet, p, to.beneath);
-    }
+    const Foot foot = reference_.place(to.sheet, p, to.beneath);
     const double value = (star_.*goal)(foot.point, best);
     if (!(value < best)) return false;
     best = value, to.position = foot.point, to.beneath = foot.face;

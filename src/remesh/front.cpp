@@ -106,8 +106,7 @@ class Front {
     const double wanted = editor_.size(face.sheet, middle + guess * inwards);
     const double size = std::clamp(wanted, kLeastApex * edge, kMostApex * edge);
     const double height = std::sqrt(std::max(size * size - 0.25 * edge * edge, 0.0));
-    Foot apex{middle + height * inwards, FaceId{}, 0};
-    if (!mesh().sheet(face.sheet).planar) apex = editor_.reference().project(face.sheet, apex.point, FaceId{});
+    const Foot apex = editor_.reference().place(face.sheet, middle + height * inwards, FaceId{});
     const FaceId at = locate(base, apex.point);
     if (!at.valid() || crowded(at, apex.point, size)) return;
     const auto v = editor_.insert(at, apex, wanted);

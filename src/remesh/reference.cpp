@@ -59,6 +59,13 @@ Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
   return {point, face, distance(p, point)};
 }
 
+Foot Reference::place(SheetId sheet, Vec3 p, FaceId hint) const {
+  const Sheet& s = brep_.sheets[sheet.value];
+  if (!s.planar) return project(sheet, p, hint);
+  const double height = dot(p - s.origin, s.normal);
+  return {p - height * s.normal, hint, std::abs(height)};
+}
+
 Vec3 Reference::normal(FaceId f) const { return unit_normal(complex_.corners(f)); }
 
 double Reference::wrapped(CurveId c, double arc) const {

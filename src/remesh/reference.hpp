@@ -25,6 +25,9 @@ class Reference {
 
   /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near.
   [[nodiscard]] Foot project(SheetId sheet, Vec3 p, FaceId hint) const;
+  /// Where a vertex wanted at p may stand: the same, or in a planar sheet the foot on its plane (beneath which `hint`
+  /// stays). A border that was pulled off the plane does not draw vertices after it.
+  [[nodiscard]] Foot place(SheetId sheet, Vec3 p, FaceId hint) const;
   [[nodiscard]] Vec3 normal(FaceId f) const;  // unit
   /// Edge length of the input face that a face of the complex is a piece of.
   [[nodiscard]] double edge_length(FaceId f) const { return edge_length_[f.value]; }

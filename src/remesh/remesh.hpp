@@ -14,7 +14,7 @@
 namespace meshgraft {
 
 struct RemeshOptions {
-  double min_quality = 0.5;     // wanted worst Q
+  double min_quality = 0.5;      // wanted worst Q
   double max_deviation = 0.065;  // of new faces from the reference surface, share of the edge length of the input
 };
 

@@ -266,7 +266,7 @@ class Reader {
       }
     sheet.planar = squared_norm(normal) > 0 && high[1] - low[1] <= 2 * kPlaneShare * box.diagonal() &&
                    high[0] - low[0] <= kPulledShare * edge;
-    if (sheet.planar) sheet.normal = normal;
+    if (sheet.planar) sheet.normal = normal, sheet.origin = origin + 0.5 * (low[1] + high[1]) * normal;
   }
 
   const Complex& complex_;

@@ -36,7 +36,7 @@ struct Curve {
 struct Sheet {
   std::vector<FaceId> faces;  // ascending
   bool planar = false;        // all within rounding of one plane, but for a border pulled off it a little
-  Vec3 normal;                // of that plane; zero otherwise
+  Vec3 normal, origin;        // of that plane, and a point of it; zero otherwise
 };
 
 struct Brep {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "geometry/closest.hpp"
 #include "zone/original_faces.hpp"
@@ -19,6 +21,29 @@ Box box_of(const Triangle& t) {
   for (const Vec3 p : t) box.add(p);
   return box;
 }
+
+/// The faces of one sheet around a vertex.
+class Around {
+ public:
+  void add(const Triangle& t) {
+    length_ += mean_edge_length(t), ++count_;
+    normal_ += area_vector(t);
+  }
+  /// After all of them were added.
+  void add_lean(const Triangle& t) { across_ += norm(cross(area_vector(t), normalized(normal_))); }
+
+  /// A vertex stands above the middle of an equilateral face of size s around it by the slope of the faces
+  /// times s / sqrt(3).
+  [[nodiscard]] double size(double max_height) const {
+    const double length = length_ / count_, slope = across_ / norm(normal_);
+    return length * std::min(1.0, std::numbers::sqrt3 * max_height / slope);
+  }
+
+ private:
+  double length_ = 0, across_ = 0;  // sums: of mean edge lengths; of areas seen along the normal
+  int count_ = 0;
+  Vec3 normal_;
+};
 
 }  // namespace
 
@@ -47,10 +72,9 @@ double OwnSize::at(Vec3 p) const {
   return closest.weight[0] * value[0] + closest.weight[1] * value[1] + closest.weight[2] * value[2];
 }
 
-std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep) {
+std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep, double max_height) {
   const OriginalFaces originals(original);
-  std::vector<double> sum(original.n_vertices(), 0);
-  std::vector<std::uint32_t> count(original.n_vertices(), 0);
+  std::vector<Around> around(original.n_vertices());
   struct Samples {
     std::vector<Triangle> triangles;
     std::vector<std::array<double, 3>> values;
@@ -64,10 +88,9 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
     std::ranges::sort(faces);
     faces.erase(std::ranges::unique(faces).begin(), faces.end());
     for (const FaceId f : faces)
-      for (const VertexId v : original.face[f.value]) {
-        sum[v.value] += mean_edge_length(original.corners(f));
-        ++count[v.value];
-      }
+      for (const VertexId v : original.face[f.value]) around[v.value].add(original.corners(f));
+    for (const FaceId f : faces)
+      for (const VertexId v : original.face[f.value]) around[v.value].add_lean(original.corners(f));
     auto& [triangles, values] = samples.emplace_back();
     triangles.reserve(faces.size()), values.reserve(faces.size());
     for (const FaceId f : faces) {
@@ -75,11 +98,11 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
       auto& value = values.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexId v = original.face[f.value][k];
-        value[k] = sum[v.value] / count[v.value];
+        value[k] = around[v.value].size(max_height);
       }
     }
     for (const FaceId f : faces)
-      for (const VertexId v : original.face[f.value]) sum[v.value] = 0, count[v.value] = 0;
+      for (const VertexId v : original.face[f.value]) around[v.value] = {};
   }
   std::vector<OwnSize> result(samples.size());
   tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t s) {

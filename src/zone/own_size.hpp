@@ -11,8 +11,8 @@
 
 namespace meshgraft {
 
-/// Mean edge length of the original faces around each of their vertices, linear on each face and
-/// constant along the normal: the value at p is that at the nearest point of the faces.
+/// Wanted edge length at each vertex of the original faces, linear on each face and constant along the normal: the
+/// value at p is that at the nearest point of the faces.
 class OwnSize {
  public:
   OwnSize() = default;
@@ -29,7 +29,10 @@ class OwnSize {
   bool uniform_ = false;  // then no search
 };
 
-/// One per sheet, over the parents of its faces.
-[[nodiscard]] std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep);
+/// One per sheet, over the parents of its faces: the mean edge length of the faces around each vertex. Where the
+/// faces picture a bent surface so coarsely that a vertex could stand more than `max_height` of that length above a
+/// new face of the size, less.
+[[nodiscard]] std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep,
+                                             double max_height);
 
 }  // namespace meshgraft

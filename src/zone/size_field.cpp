@@ -109,7 +109,7 @@ class Builder {
       : original_(original), complex_(complex), brep_(brep), data_(data), edges_(complex), originals_(original) {}
 
   void build() {
-    data_.own = own_sizes(original_, complex_, brep_);
+    data_.own = own_sizes(original_, complex_, brep_, data_.options.max_height);
     data_.sheets = sheets_at_curves(brep_);
     for (const auto& sheets : data_.sheets) {
       auto& components = data_.components.emplace_back();

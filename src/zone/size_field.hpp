@@ -22,12 +22,13 @@ struct SizeOptions {
   double gap_floor = 0.05;                        // a gap asks for no less than this share of the size around it
   double cone = 40.0 / 180.0 * std::numbers::pi;  // radians; curves that meet at more leave no narrow corner
   double cone_floor = 0.2;                        // as gap_floor, in a narrow corner
+  double max_height = 0.07;  // of a node of the input over a new face: share of the edge length there
 };
 
 /// The size at a place is, in this order:
 ///
-///   own       of the original faces of the sheet: mean edge length of the faces around each vertex,
-///             interpolated on the nearest face
+///   own       of the original faces of the sheet: mean edge length of the faces around each vertex, or what
+///             `max_height` leaves of it where they lean steeply, interpolated on the nearest face
 ///   at least  l_a - gradation x distance to the junction
 ///   at most   l_a + gradation x distance to the junction, and likewise around each place that needs
 ///             small faces: narrow gaps between curves, short curves, tight bends of a curve, curves

@@ -65,6 +65,27 @@ TEST(Remesh, CurvedSheetsStayNearTheirSurface) {
   }
 }
 
+TEST(Remesh, ABorderPulledOffThePlaneDrawsNoVertexAfterIt) {
+  Scene scene = crossing(0.1, 0.1, 90, 0.97, 0.2, 0.15);
+  std::size_t n_pulled = 0;
+  for (Vec3& p : scene.complex.position)
+    if (p.z == 0 && p.x == 0 && std::abs(p.y - 0.77) < 0.06) p.z = 5e-4, ++n_pulled;
+  ASSERT_GE(n_pulled, 1u);
+  const Trial t = trial(std::move(scene), 3);
+  const Complex& c = t.result.complex;
+  std::size_t n_inside = 0;
+  for (std::size_t f = 0; f < c.n_faces(); ++f) {
+    if (c.component[f] != 0) continue;
+    for (const VertexId v : c.face[f]) {
+      const Vec3 p = c.position[v.value];
+      if (c.node[v.value].valid() || p.x <= 0 || p.x >= 2 || p.y <= 0 || p.y >= 2) continue;
+      EXPECT_NEAR(p.z, 0, 1e-12);
+      ++n_inside;
+    }
+  }
+  EXPECT_GT(n_inside, 100u);
+}
+
 TEST(Remesh, PinnedVerticesStayAndSoDoFrozenOnes) {
   Scene scene = crossing(0.1, 0.1, 90, 0.97, 0, 0.15);
   std::vector<Vec3> pinned;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "complexes.hpp"
+#include "geometry/quality.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -60,6 +61,20 @@ TEST(SizeField, WithoutAJunctionItIsTheOwnSize) {
   const Scene s = scene(std::array{floor_plate(1)});
   EXPECT_NEAR(at(s, {5, 5, 0}), kMean, 1e-9);
   EXPECT_TRUE(std::isinf(s.size.junction_size({5, 5, 0})));
+}
+
+TEST(SizeField, ACoarsePictureOfASphereAsksForSmallerFacesThanItsOwn) {
+  const auto mean_size = [](const Scene& s) {
+    double sum = 0;
+    for (std::size_t f = 0; f < s.j.complex.n_faces(); ++f) sum += mean_edge_length(s.j.complex.corners(FaceId(f)));
+    return sum / static_cast<double>(s.j.complex.n_faces());
+  };
+  const Scene coarse = scene(std::array{scenes::sphere({0, 0, 0}, 1, 3)});
+  const Scene fine = scene(std::array{scenes::sphere({0, 0, 0}, 1, 8)});
+  const Vec3 p = normalized(Vec3{0.3, 0.5, 0.7});
+  // A node of the coarse one stands at the slope of its faces, 0.19, times s / sqrt 3 above a face of size s.
+  EXPECT_LE(0.19 * at(coarse, p) / std::sqrt(3.0), 1.1 * SizeOptions{}.max_height * mean_size(coarse));
+  EXPECT_NEAR(at(fine, p), mean_size(fine), 0.1 * mean_size(fine));
 }
 
 TEST(SizeField, OnAFreeEdgeTheSpacingOfTheInputCounts) {
