@@ -76,6 +76,10 @@ struct Meeting {
   std::vector<std::pair<VertexId, Vec3>> moved;      // vertex of side 1, where it was
   bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
+  /// By side and vertex or local edge: a feature that ends on the other side or runs along it, and not one
+  /// that goes through it. Set by declare_vertices().
+  std::array<std::vector<std::uint8_t>, 2> ending_vertex{}, ending_edge{};
+
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
   [[nodiscard]] Snap snap(const FacePair& p) const;

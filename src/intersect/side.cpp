@@ -34,7 +34,7 @@ bool is_feature_edge(const Complex& complex, std::span<const Use> uses, double s
 }  // namespace
 
 Side::Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, double sharp_angle)
-    : faces_(std::move(near)), vertex_feature_(complex.n_vertices()) {
+    : faces_(std::move(near)), vertex_feature_(complex.n_vertices()), vertex_corner_(complex.n_vertices()) {
   corners_.reserve(faces_.size());
   for (const FaceId f : faces_) corners_.push_back(complex.face[f.value]);
   find_edges(complex, own, sharp_angle);
@@ -55,18 +55,22 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
     const auto& v = complex.face[f];
     for (std::uint8_t k = 0; k < 3; ++k) {
       const VertexId a = v[k], b = v[(k + 1) % 3];
-      if (marked[a.value] && marked[b.value]) uses.push_back({key(a, b), FaceId(f), local, k, a < b});
+      if (marked[a.value] || marked[b.value]) uses.push_back({key(a, b), FaceId(f), local, k, a < b});
     }
   }
   std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
 
+  std::vector<std::array<VertexId, 2>> feature_edges;  // both ways
   edges_.resize(faces_.size());
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
     while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
     const auto at = std::span(uses).subspan(first, last - first);
     const bool feature = meshgraft::is_feature_edge(complex, at, sharp_angle);
     const VertexId low(std::size_t(at[0].edge >> 32)), high(std::size_t(at[0].edge & 0xFFFFFFFF));
-    if (feature) vertex_feature_[low.value] = vertex_feature_[high.value] = 1;
+    if (feature) {
+      vertex_feature_[low.value] = vertex_feature_[high.value] = 1;
+      feature_edges.push_back({low, high}), feature_edges.push_back({high, low});
+    }
     if (std::all_of(at.begin(), at.end(), [](const Use& u) { return u.local == kNowhere; })) continue;
     first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
     for (const Use& u : at) {
@@ -80,7 +84,23 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
   }
   first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
   for (std::size_t v = 0; v < marked.size(); ++v)
-    if (marked[v] && complex.state[v] == VertexState::kPinned) vertex_feature_[v] = 1;
+    if (marked[v] && complex.state[v] == VertexState::kPinned) vertex_feature_[v] = vertex_corner_[v] = 1;
+  find_corners(complex, sharp_angle, std::move(feature_edges));
+}
+
+void Side::find_corners(const Complex& complex, double sharp_angle,
+                        std::vector<std::array<VertexId, 2>> feature_edges) {
+  std::sort(feature_edges.begin(), feature_edges.end());
+  const auto way = [&](const std::array<VertexId, 2>& e) {
+    return normalized(complex.position[e[1].value] - complex.position[e[0].value]);
+  };
+  for (std::size_t first = 0, last = 0; first < feature_edges.size(); first = last) {
+    const VertexId v = feature_edges[first][0];
+    while (last < feature_edges.size() && feature_edges[last][0] == v) ++last;
+    const bool goes_on =
+        last - first == 2 && -dot(way(feature_edges[first]), way(feature_edges[first + 1])) >= std::cos(sharp_angle);
+    if (!goes_on) vertex_corner_[v.value] = 1;
+  }
 }
 
 void Side::find_faces_at_vertices(std::size_t n_vertices) {

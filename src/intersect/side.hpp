@@ -48,9 +48,12 @@ class Side {
   /// Free, sharp or non-manifold edges; their ends; pinned vertices.
   [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
   [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }
+  /// A place of its own: a pinned vertex, or one where feature edges end, branch or turn sharply.
+  [[nodiscard]] bool is_corner(VertexId v) const { return vertex_corner_[v.value]; }
 
  private:
   void find_edges(const Complex& complex, std::span<const std::uint8_t> own, double sharp_angle);
+  void find_corners(const Complex& complex, double sharp_angle, std::vector<std::array<VertexId, 2>> feature_edges);
   void find_faces_at_vertices(std::size_t n_vertices);
 
   std::vector<FaceId> faces_;
@@ -59,7 +62,7 @@ class Side {
   std::vector<std::array<VertexId, 2>> ends_;  // ascending
   std::vector<std::uint32_t> first_at_edge_, first_at_vertex_, n_at_edge_;
   std::vector<LocalFace> at_edge_, at_vertex_;
-  std::vector<std::uint8_t> edge_feature_, vertex_feature_;
+  std::vector<std::uint8_t> edge_feature_, vertex_feature_, vertex_corner_;
 };
 
 }  // namespace meshgraft

@@ -166,6 +166,14 @@ TEST(Corefine, APartMeetsATLineInItsNodesAndEdges) {
       across);
 }
 
+TEST(Corefine, APartThatPassesBesideANodeOfATLineIsNotDrawnAside) {
+  const Joined j = expect_joined({ribbed(), plate({4.004, -1, -2}, {0, 12, 0}, {0, 0, 7}, 0.9)}, 10 + 3);
+  ASSERT_TRUE(j.result);
+  EXPECT_TRUE(j.result->moves.empty());
+  for (const auto& edge : j.result->junction_edges)
+    for (const VertexId v : edge) EXPECT_NEAR(j.result->complex.position[v.value].x, 4.004, 1e-12);
+}
+
 TEST(Corefine, ThreeComponentsShareTheirCommonPoint) {
   const Joined j = expect_joined(
       {wall(), plate({2.3, 4.7, -2}, {5, 0, 0}, {0, 0, 4}, 0.9), plate({4.6, 2.2, -2}, {0, 5, 0}, {0, 0, 4}, 0.8)},
