@@ -52,13 +52,16 @@ void declare_shared(Meeting& m) {
 }
 
 /// A gap is closed across it, not along a surface: things that lie beside each other on one surface
-/// stay apart unless both are features, and vertices unless they end there. True if `q`, `gap` away from `at` on side
-/// s, is not much nearer to another point of the faces around.
+/// stay apart unless both are features, and vertices unless they end there. True if the way from `at`, which is on
+/// `faces` of side s, to `q`, `gap` away, leaves their planes; how far they reach does not count, as slivers end beside
+/// every way.
 bool is_straight_across(const Meeting& m, std::size_t s, std::span<const LocalFace> faces, Vec3 at, Vec3 q,
                         double gap) {
-  constexpr double kSideways = 0.5;  // share of the gap by which the nearest point may lie beside
+  constexpr double kSideways = 0.5;  // sine of the angle between the way and a normal
+  const Vec3 way = q - at;
   return std::all_of(faces.begin(), faces.end(), [&](LocalFace f) {
-    return distance(closest_on_triangle(q, m.triangle(s, f)).point, at) <= kSideways * gap;
+    const Vec3 n = unit_normal(m.triangle(s, f));
+    return norm(way - dot(n, way) * n) <= kSideways * gap;
   });
 }
 
