@@ -2,9 +2,10 @@
 // then new ones.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "io/splice_context.hpp"
-#include "io/unv_elements.hpp"
+#include "io/unv_element_columns.hpp"
 #include "io/unv_format.hpp"
 #include "io/unv_types.hpp"
 
@@ -42,7 +43,7 @@ class ElementSplicer {
       TextPieces text;
       const ElementLayout layout = layout_at(e);
       add_changed(e, layout, text);
-      s_.edits.replace(model.element_place[i], record_.end, std::move(text));
+      s_.edits.replace(model.element_place[i], record_->end, std::move(text));
     });
   }
 
@@ -81,12 +82,17 @@ class ElementSplicer {
     return at != all.end() && at->element == e.element ? NodeRef{e.input, at->node} : NodeRef{};
   }
 
-  /// Reads the record of an element of an input into record_.
+  /// Makes record_ that of an element of an input.
   void read(ElementRef e) {
     const Document& d = *s_.documents[e.input];
     const std::size_t begin = s_.models[e.input]->element_place[e.element.value];
     const Dataset& dataset = d.datasets[d.dataset_at(begin)];
-    (void)element_record(d.lines, begin, dataset.body_end, element_layout_of(dataset.number), record_);
+    const ElementLayout layout = element_layout_of(dataset.number);
+    if (columns_of_ != &dataset) columns_.emplace(d, dataset.body_end, layout), columns_of_ = &dataset;
+    record_ = columns_->at(begin);
+    if (record_ != nullptr) return;
+    (void)element_record(d.lines, begin, dataset.body_end, layout, unusual_);
+    record_ = &unusual_;
   }
 
   /// The record of an input element with the labels of the output, in the given layout.
@@ -96,7 +102,7 @@ class ElementSplicer {
     for (const NodeId n : s_.models[e.input]->nodes_of(e.element))
       labels_.push_back(n.valid() ? s_.names.of(NodeRef{e.input, n}) : 0);
     add_header(e, s_.names.of(e), layout, text.made());
-    if (layout_at(e) == layout && record_.columns)
+    if (layout_at(e) == layout && record_->columns)
       add_node_columns(*s_.documents[e.input], text.made());
     else
       append_integers(labels_, s_.line_end(), text.made());
@@ -105,7 +111,7 @@ class ElementSplicer {
   /// Header and beam line of record_, which belongs to `e`, with another label.
   void add_header(ElementRef e, std::int64_t label, ElementLayout layout, std::string& text) {
     const LineScanner& lines = s_.documents[e.input]->lines;
-    const bool same_form = layout_at(e) == layout && record_.columns;
+    const bool same_form = layout_at(e) == layout && record_->columns;
     const std::size_t begin = s_.models[e.input]->element_place[e.element.value];
     if (same_form) {
       std::string header(lines.view(lines.at(begin)));
@@ -114,42 +120,42 @@ class ElementSplicer {
       text += s_.line_end();
     } else {
       const auto& attributes = s_.models[e.input]->attributes_of(e.element);
-      append_integers(header_of(attributes, label, record_.nodes.size(), layout), s_.line_end(), text);
+      append_integers(header_of(attributes, label, record_->nodes.size(), layout), s_.line_end(), text);
     }
     add_beam(e, layout, same_form, text);
   }
 
   void add_beam(ElementRef e, ElementLayout layout, bool same_form, std::string& text) {
     const bool needed = has_beam_record(s_.models[e.input]->attributes_of(e.element).type);
-    if (layout == ElementLayout::k71 || (record_.beam.empty() && (same_form || !needed))) return;
+    if (layout == ElementLayout::k71 || (record_->beam.empty() && (same_form || !needed))) return;
     const NodeRef orientation = orientation_node(e);
     if (same_form) {
       const LineScanner& lines = s_.documents[e.input]->lines;
-      std::string beam(lines.view(lines.at(record_.beam_line)));
+      std::string beam(lines.view(lines.at(record_->beam_line)));
       if (orientation.valid()) set_column(beam, 0, s_.names.of(orientation));
       text += beam;
       text += s_.line_end();
       return;
     }
     constexpr std::size_t kFields = 3, kFields780 = 5;
-    std::vector<std::int64_t> beam = record_.beam;
+    std::vector<std::int64_t> beam = record_->beam;
     if (layout == ElementLayout::k780)
       beam.resize(kFields780, 1);
     else
       beam.resize(kFields, 0);
-    beam[0] = orientation.valid() ? s_.names.of(orientation) : record_.beam.empty() ? 0 : record_.beam[0];
+    beam[0] = orientation.valid() ? s_.names.of(orientation) : record_->beam.empty() ? 0 : record_->beam[0];
     append_integers(beam, s_.line_end(), text);
   }
 
   /// The node lines of record_ with labels_ in their columns.
   void add_node_columns(const Document& d, std::string& text) {
-    std::size_t at = record_.node_lines, next = 0;
+    std::size_t at = record_->node_lines, next = 0;
     while (next < labels_.size()) {
-      const Line line = d.lines.at(at, record_.end);
+      const Line line = d.lines.at(at, record_->end);
       std::string content(d.lines.view(line));
-      (void)parse_integers(content, values_);
-      for (std::size_t k = 0; k < values_.size(); ++k, ++next)
-        if (values_[k] != labels_[next]) set_column(content, k, labels_[next]);
+      const std::size_t n = (right_trimmed(content).size() + kIntegerWidth - 1) / kIntegerWidth;
+      for (std::size_t k = 0; k < n; ++k, ++next)
+        if (record_->nodes[next] != labels_[next]) set_column(content, k, labels_[next]);
       text += content;
       text += s_.line_end();
       at = line.next;
@@ -172,8 +178,11 @@ class ElementSplicer {
   const Dataset* last_;
   ElementLayout layout_;
   TextPieces text_;
-  ElementRecord record_;
-  std::vector<std::int64_t> labels_, values_;
+  std::optional<ElementColumns> columns_;
+  const Dataset* columns_of_ = nullptr;
+  ElementRecord unusual_;
+  const ElementRecord* record_ = nullptr;  // the one read last
+  std::vector<std::int64_t> labels_;
 };
 
 }  // namespace

@@ -154,7 +154,7 @@ class GroupSplicer {
   [[nodiscard]] bool names_too_much(const MergedGroup::From& from) {
     if (s_.models[from.input]->groups[from.group.value].n_dangling == 0) return false;
     bool found = false;
-    for_each_entity(from, 0, [&](const Entity& e, std::string_view) { found = found || appears(from.input, e); });
+    for_each_entity(from, [&](const Entity& e, std::string_view) { found = found || appears(from.input, e); });
     return found;
   }
 
@@ -167,47 +167,74 @@ class GroupSplicer {
   void rewrite(const MergedGroup::From& from, const MergedGroup* merged, std::size_t g) {
     const Document& d = s_.base();
     const GroupPlace& place = d.groups[from.group.value];
-    const Kept kept = kept_in_front(from);
+    const Kept kept = kept_lines(from);
     std::string entities;
     const std::int64_t count = merged != nullptr
-                                   ? write_members(*merged, g, place.layout, kept.count, entities)
-                                   : write_members({{}, {from}}, kNothingGained, place.layout, kept.count, entities);
+                                   ? write_members(*merged, g, place.layout, kept, entities)
+                                   : write_members({{}, {from}}, kNothingGained, place.layout, kept, entities);
     TextPieces text;
     const Line header = d.lines.at(place.begin), name = d.lines.at(header.next);
     add_header(d.lines.view(header), std::nullopt, static_cast<std::int64_t>(kept.count) + count, place.layout,
                text.made());
     text.made().append(d.lines.view(name)).append(s_.line_end());
-    text.add_span(kept.lines);
+    for (const std::string_view run : kept.runs) text.add_span(run);
     text.made() += entities;
     s_.edits.replace(place.begin, place.end, std::move(text));
   }
 
-  /// The full lines of entities before the first one that goes: they need not be written anew.
+  /// What a group of the base keeps: its full lines of which no entity goes stay as they are; the entities that are
+  /// left of the other lines follow after them, so that a comparison of the texts shows nothing else.
   struct Kept {
-    std::uint64_t count = 0;
-    std::string_view lines;
+    bool any = false;                     // else all its entities have to be written anew
+    std::uint64_t count = 0;              // of entities in the runs
+    std::vector<std::string_view> runs;   // of lines
+    std::vector<std::string_view> loose;  // columns of entities
+
+    void add_line(std::string_view line, std::size_t n_entities) {
+      count += n_entities;
+      if (!runs.empty() && runs.back().data() + runs.back().size() == line.data())
+        runs.back() = {runs.back().data(), runs.back().size() + line.size()};
+      else
+        runs.push_back(line);
+    }
   };
-  [[nodiscard]] Kept kept_in_front(const MergedGroup::From& from) {
+  /// Code and tag of an entity in columns.
+  static Entity entity_at(const char* columns) {
+    Entity e;
+    fast_integer(columns, e.code), fast_integer(columns + kIntegerWidth, e.tag);
+    return e;
+  }
+  [[nodiscard]] Kept kept_lines(const MergedGroup::From& from) {
     const Document& d = s_.base();
     const GroupPlace& place = d.groups[from.group.value];
     RegularGroup group;
     if (!place.regular || s_.models.front()->groups[from.group.value].n_dangling > 0 ||
         !regular_group(d, place.begin, place.end, place.layout, group))
       return {};
-    std::uint64_t before = 0;
-    for_each_regular(d, place.layout, group, 0, [&](const Entity& e, std::string_view) {
-      if (removed_[0].contains(e)) return false;
-      return ++before, true;
-    });
-    const std::size_t per_line = entities_per_line(place.layout);
-    const std::size_t line = per_line * place.layout.entity_size * kIntegerWidth + d.line_end.size();
-    return {before / per_line * per_line, d.text().substr(group.entities, before / per_line * line)};
+    Kept kept;
+    kept.any = true;
+    const std::size_t per_line = entities_per_line(place.layout), width = place.layout.entity_size * kIntegerWidth;
+    const std::size_t line = per_line * width + d.line_end.size();
+    for (std::uint64_t done = 0; done < group.count; done += per_line) {
+      const std::string_view text = d.text().substr(group.entities + done / per_line * line, line);
+      const std::size_t n = std::min<std::uint64_t>(per_line, group.count - done);
+      bool stays = n == per_line;
+      for (std::size_t k = 0; k < n; ++k) stays = stays && !removed_[0].contains(entity_at(text.data() + k * width));
+      if (stays) {
+        kept.add_line(text, n);
+        continue;
+      }
+      for (std::size_t k = 0; k < n; ++k)
+        if (!removed_[0].contains(entity_at(text.data() + k * width)))
+          kept.loose.push_back(text.substr(k * width, width));
+    }
+    return kept;
   }
 
   /// A group that only parts have.
   void append_new(const MergedGroup& merged, std::size_t g) {
     std::string entities, header, name = merged.name;
-    const std::int64_t count = write_members(merged, g, layout_, 0, entities);
+    const std::int64_t count = write_members(merged, g, layout_, {}, entities);
     std::int64_t number = 0;
     if (!merged.from.empty()) {
       const MergedGroup::From& from = merged.from.front();
@@ -246,9 +273,9 @@ class GroupSplicer {
 
   static constexpr std::size_t kNothingGained = static_cast<std::size_t>(-1);
 
-  /// Entities of all inputs that stay, in input order, then those gained; returns their number. The
-  /// first `skipped` of the first input are already written.
-  std::int64_t write_members(const MergedGroup& merged, std::size_t g, GroupLayout layout, std::uint64_t skipped,
+  /// Entities of all inputs that stay, in input order, then those gained; returns their number. What `kept` has of
+  /// a group of the base in whole lines is left out.
+  std::int64_t write_members(const MergedGroup& merged, std::size_t g, GroupLayout layout, const Kept& kept,
                              std::string& text) {
     std::int64_t count = 0;
     EntityWriter writer(layout, s_.line_end(), text);
@@ -257,7 +284,12 @@ class GroupSplicer {
       // Another group of the base with this name has a record of its own.
       if (from.input == 0 && !std::exchange(first, false)) continue;
       first = false;
-      count += write_survivors(from, layout, std::exchange(skipped, 0), writer);
+      if (from.input > 0 || !kept.any) {
+        count += write_survivors(from, layout, writer);
+        continue;
+      }
+      for (const std::string_view columns : kept.loose) writer.add_columns(columns);
+      count += static_cast<std::int64_t>(kept.loose.size());
     }
     if (g != kNothingGained) {
       for (const std::int64_t label : gained_[g].nodes) writer.add({kNodeCode, label, 0, 0}), ++count;
@@ -267,14 +299,13 @@ class GroupSplicer {
     return count;
   }
 
-  std::int64_t write_survivors(const MergedGroup::From& from, GroupLayout layout, std::uint64_t skipped,
-                               EntityWriter& writer) {
+  std::int64_t write_survivors(const MergedGroup::From& from, GroupLayout layout, EntityWriter& writer) {
     const std::uint32_t k = from.input;
     const bool dangling = s_.models[k]->groups[from.group.value].n_dangling > 0;
     const bool relabelled = !s_.labels.shifted_nodes[k].empty() || !s_.labels.shifted_elements[k].empty();
     const bool same_layout = s_.documents[k]->groups[from.group.value].layout.entity_size == layout.entity_size;
     std::int64_t count = 0, left_out = 0;
-    for_each_entity(from, skipped, [&](Entity e, std::string_view columns) {
+    for_each_entity(from, [&](Entity e, std::string_view columns) {
       if (removed_[k].contains(e)) return;
       if (dangling && appears(k, e)) {
         ++left_out;
@@ -316,41 +347,34 @@ class GroupSplicer {
     return *indices[k];
   }
 
-  /// Calls f(entity, its columns) for each entry but the first `skipped`, which must be whole lines;
-  /// the columns are empty if there are none to copy.
+  /// Calls f(entity, its columns) for each entry; the columns are empty if there are none to copy.
   template <class F>
-  void for_each_entity(const MergedGroup::From& from, std::uint64_t skipped, F&& f) {
+  void for_each_entity(const MergedGroup::From& from, F&& f) {
     const Document& d = *s_.documents[from.input];
     const GroupPlace& place = d.groups[from.group.value];
     RegularGroup regular;
     if (place.regular && regular_group(d, place.begin, place.end, place.layout, regular)) {
-      for_each_regular(d, place.layout, regular, skipped, [&](const Entity& e, std::string_view columns) {
-        f(e, columns);
-        return true;
-      });
+      for_each_regular(d, place.layout, regular, f);
       return;
     }
     (void)group_record(d.lines, place.begin, d.datasets[place.dataset].body_end, place.layout, record_);
     for (const Entity& e : record_.entities) f(e, std::string_view{});
   }
 
-  /// The same for a group that the reader found regular; stops when f returns false.
+  /// The same for a group that the reader found regular.
   template <class F>
-  static void for_each_regular(const Document& d, GroupLayout layout, const RegularGroup& group, std::uint64_t skipped,
-                               F&& f) {
+  static void for_each_regular(const Document& d, GroupLayout layout, const RegularGroup& group, F&& f) {
     const std::size_t per_line = entities_per_line(layout), width = layout.entity_size * kIntegerWidth;
-    std::size_t at = group.entities + skipped / per_line * (per_line * width + d.line_end.size());
-    for (std::uint64_t i = skipped; i < group.count; ++i) {
-      const char* field = d.lines.text.data() + at;
-      Entity e;
-      fast_integer(field, e.code), fast_integer(field + kIntegerWidth, e.tag);
+    std::size_t at = group.entities;
+    for (std::uint64_t i = 0; i < group.count; ++i) {
+      Entity e = entity_at(d.lines.text.data() + at);
       // The reader made sure that nodes and elements have zeros here.
       if (layout.entity_size == 4 && e.code != kNodeCode && e.code != kElementCode) {
         std::vector<std::int64_t> values;
         if (parse_integers(d.lines.text.substr(at, width), values) == Cut::kColumns && values.size() == 4)
           e.leaf = values[2], e.component = values[3];
       }
-      if (!f(e, d.lines.text.substr(at, width))) return;
+      f(e, d.lines.text.substr(at, width));
       at += width;
       if ((i + 1) % per_line == 0) at += d.line_end.size();
     }

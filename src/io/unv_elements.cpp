@@ -3,11 +3,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <unordered_map>
 
-#include "io/unv_numbers.hpp"
+#include "io/unv_element_columns.hpp"
 #include "io/unv_pieces.hpp"
 #include "io/unv_types.hpp"
 
@@ -64,74 +63,6 @@ struct Piece {
   std::optional<Fault> fault;
 };
 
-constexpr std::size_t kMostFastNodes = 32;
-
-/// A record in the usual columns.
-struct FastRecord {
-  std::array<std::int64_t, 8> header{};
-  std::array<std::int64_t, kMostFastNodes> nodes{};
-  std::int64_t orientation = 0;
-  std::size_t n = 0, end = 0;
-};
-
-class FastParser {
- public:
-  FastParser(const Document& d, std::size_t limit, ElementLayout layout)
-      : d_(d),
-        text_(d.lines.text.data()),
-        limit_(limit),
-        feed_(d.line_end.size()),
-        fields_(header_fields(layout)),
-        beam_fields_(layout == ElementLayout::k780 ? 5 : 3),
-        layout_(layout) {}
-
-  /// False if anything is unusual, or if what follows does not begin like a record.
-  bool parse(std::size_t begin, FastRecord& r) const {
-    std::size_t at = begin;
-    if (!integers(at, r.header.data(), fields_)) return false;
-    const std::int64_t n = r.header[fields_ - 1], id = r.header[1];
-    if (n < 1 || n > static_cast<std::int64_t>(kMostFastNodes)) return false;
-    r.orientation = 0, r.n = static_cast<std::size_t>(n);
-    if (layout_ != ElementLayout::k71) {
-      if (may_have_beam_record(id)) return false;
-      if (has_beam_record(id)) {
-        std::array<std::int64_t, 5> beam{};
-        if (!integers(at, beam.data(), beam_fields_)) return false;
-        r.orientation = beam[0];
-      }
-    }
-    constexpr std::size_t kPerLine = 8;
-    for (std::size_t k = 0; k < r.n; k += kPerLine)
-      if (!integers(at, r.nodes.data() + k, std::min(kPerLine, r.n - k))) return false;
-    r.end = at;
-    return at == limit_ || begins_record(at);
-  }
-
- private:
-  /// A line of exactly `count` integers; `at` moves behind it.
-  bool integers(std::size_t& at, std::int64_t* values, std::size_t count) const {
-    const std::size_t width = count * kIntegerWidth;
-    if (!ends_line(at, width)) return false;
-    for (std::size_t k = 0; k < count; ++k)
-      if (!fast_integer(text_ + at + k * kIntegerWidth, values[k])) return false;
-    at += width + feed_;
-    return true;
-  }
-  [[nodiscard]] bool ends_line(std::size_t at, std::size_t width) const {
-    return limit_ - at >= width + feed_ && d_.ends_line(at + width);
-  }
-  [[nodiscard]] bool begins_record(std::size_t at) const {
-    const std::size_t width = fields_ * kIntegerWidth;
-    return ends_line(at, width) && text_[at + width - kIntegerWidth - 1] != ' ';
-  }
-
-  const Document& d_;
-  const char* text_;
-  std::size_t limit_, feed_;
-  std::size_t fields_, beam_fields_;
-  ElementLayout layout_;
-};
-
 /// Whether a node of an element may be 0, which stands for a middle node that is left out. Shapes
 /// that are only carried along may have it anywhere.
 bool may_be_left_out(Shape shape, std::size_t position) {
@@ -158,7 +89,7 @@ class PieceParser {
       : d_(d),
         limit_(dataset.body_end),
         layout_(element_layout_of(dataset.number)),
-        fast_(d, dataset.body_end, layout_),
+        columns_(d, dataset.body_end, layout_),
         nodes_(nodes) {}
 
   /// Parses the records that begin in [begin, border).
@@ -167,20 +98,17 @@ class PieceParser {
     piece.begin = begin;
     reserve(border > begin ? border - begin : 0, piece);
     std::size_t at = skip_blank_lines(d_.lines, begin, limit_);
-    FastRecord fast;
     while (at < border && at < limit_ && !piece.fault) {
-      if (fast_.parse(at, fast)) {
-        header_.assign(fast.header.begin(), fast.header.begin() + static_cast<std::ptrdiff_t>(header_fields(layout_)));
-        take(at, {fast.nodes.data(), fast.n}, fast.orientation, piece);
-        at = fast.end;
+      if (const ElementRecord* usual = columns_.at(at)) {
+        take(at, *usual, piece);
+        at = usual->end;
         continue;
       }
       piece.fault = element_record(d_.lines, at, limit_, layout_, record_);
       if (piece.fault) break;
       if (!record_.columns) piece.findings.tokens.add(at);
       if (record_.unusual_beam) piece.findings.unusual_beams.add(at);
-      header_ = record_.header;
-      take(at, record_.nodes, record_.beam.empty() ? 0 : record_.beam[0], piece);
+      take(at, record_, piece);
       at = skip_blank_lines(d_.lines, record_.end, limit_);
     }
     piece.end = at;
@@ -214,38 +142,36 @@ class PieceParser {
     piece.nodes.reserve(n * kNodesPerElement);
   }
 
-  void take(std::size_t at, std::span<const std::int64_t> nodes, std::int64_t orientation, Piece& piece) {
-    const std::int64_t label = header_[0];
+  void take(std::size_t at, const ElementRecord& record, Piece& piece) {
+    const std::int64_t label = record.label();
+    piece.attributes.push_back(attributes(at, record.header, piece));
     piece.label.push_back(label), piece.place.push_back(at);
-    piece.n_nodes.push_back(static_cast<std::uint32_t>(nodes.size()));
-    piece.attributes.push_back(attributes(at, piece));
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const std::int64_t node = nodes[k];
-      const std::uint32_t id = nodes_.find(node);
-      piece.nodes.push_back(NodeId());
-      if (id != LabelIndex::kNone)
-        piece.nodes.back().value = id;
-      else if (!(node == 0 && may_be_left_out(shape_, k)) && !piece.fault)
+    piece.n_nodes.push_back(static_cast<std::uint32_t>(record.nodes.size()));
+    for (std::size_t k = 0; k < record.nodes.size(); ++k) {
+      const std::int64_t node = record.nodes[k];
+      NodeId id;
+      id.value = nodes_.find(node);
+      piece.nodes.push_back(id);
+      if (!id.valid() && !(node == 0 && may_be_left_out(shape_, k)) && !piece.fault)
         piece.fault = Fault{ErrorCode::kUnknownNode, at,
                             "element " + std::to_string(label) + " refers to node " + std::to_string(node) +
                                 ", which no node dataset defines",
                             "export the mesh together with its nodes, or remove element " + std::to_string(label)};
     }
-    if (orientation == 0) return;
-    const std::uint32_t id = nodes_.find(orientation);
+    if (record.beam.empty() || record.beam[0] == 0) return;
+    const std::uint32_t id = nodes_.find(record.beam[0]);
     if (id == LabelIndex::kNone)
       piece.findings.orientation.add(at);
     else
       piece.orientation.push_back({ElementId(piece.label.size() - 1), NodeId(std::size_t{id})});
   }
 
-  /// The attributes of header_; most elements have those of the one before.
-  std::uint32_t attributes(std::size_t at, Piece& piece) {
-    if (piece.attributes.empty() || header_.size() != last_header_.size() ||
-        !std::equal(header_.begin() + 1, header_.end(), last_header_.begin() + 1)) {
-      const ElementAttributes a = attributes_of(header_, layout_);
+  /// The attributes of a header; most elements have those of the one before.
+  std::uint32_t attributes(std::size_t at, const std::vector<std::int64_t>& header, Piece& piece) {
+    if (piece.attributes.empty() || !std::equal(header.begin() + 1, header.end(), last_header_.begin() + 1)) {
+      const ElementAttributes a = attributes_of(header, layout_);
       negative_ = a.physical < 0 || a.material < 0;
-      last_header_ = header_;
+      last_header_ = header;
       last_attributes_ = piece.table.intern(a);
       shape_ = a.shape;
     }
@@ -256,10 +182,10 @@ class PieceParser {
   const Document& d_;
   std::size_t limit_;
   ElementLayout layout_;
-  FastParser fast_;
+  ElementColumns columns_;
   const LabelIndex& nodes_;
   ElementRecord record_;
-  std::vector<std::int64_t> header_, last_header_;
+  std::vector<std::int64_t> last_header_;
   std::uint32_t last_attributes_ = 0;  // of last_header_
   Shape shape_ = Shape::kOther;        // of last_header_
   bool negative_ = false;

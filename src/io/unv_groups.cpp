@@ -151,30 +151,33 @@ class RegularReader {
     return true;
   }
 
-  /// One entity in its columns; false if it is not plainly in this layout.
-  template <class F>
-  bool entity(const char* field, F&& f) const {
-    std::int64_t code = 0, tag = 0;
-    if (!fast_integer(field, code) || !fast_integer(field + kIntegerWidth, tag)) return false;
-    if (code < 1 || code > kLargestCode) return false;
-    if (layout_.entity_size == 4 && (code == kNodeCode || code == kElementCode) &&
-        std::memcmp(field + 2 * kIntegerWidth, "         0         0", 2 * kIntegerWidth) != 0)
-      return false;
-    f(code, tag);
-    return true;
-  }
-
+  /// Calls f(code, tag) for each entity of a piece; false if one is not plainly in this layout.
   template <class F>
   bool entities(const Lines& piece, F&& f) const {
     const std::size_t per_line = entities_per_line(layout_), width = layout_.entity_size * kIntegerWidth;
     const char* at = d_.lines.text.data() + piece.begin;
+    const char* last = nullptr;  // an entity with this code
+    std::int64_t code = 0, tag = 0;
     for (std::uint64_t done = 0; done < piece.count;) {
-      for (std::size_t k = 0; k < per_line && done < piece.count; ++k, ++done, at += width)
-        if (!entity(at, f)) return false;
+      for (std::size_t k = 0; k < per_line && done < piece.count; ++k, ++done, at += width) {
+        if (last == nullptr || !same_fields(at, last)) {
+          if (!fast_integer(at, code) || code < 1 || code > kLargestCode) return false;
+          last = at;
+        }
+        if (!fast_integer(at + kIntegerWidth, tag) || !(layout_.entity_size == 2 || has_usual_leaf(code, at)))
+          return false;
+        f(code, tag);
+      }
       if (!d_.ends_line(static_cast<std::size_t>(at - d_.lines.text.data()))) return false;
       at += d_.line_end.size();
     }
     return true;
+  }
+
+  /// Whether leaf and component of an entity of four integers are 0, as those of nodes and elements must be.
+  static bool has_usual_leaf(std::int64_t code, const char* entity) {
+    constexpr const char* kZeros = "         0         0";
+    return (code != kNodeCode && code != kElementCode) || same_fields(entity + 2 * kIntegerWidth, kZeros, 2);
   }
 
   /// Whether all entities can be read like this. A separate pass, so that nothing has to be undone

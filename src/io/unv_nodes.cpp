@@ -100,16 +100,21 @@ tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const 
   return record;
 }
 
-/// The usual record, in columns and with nothing else on its lines.
-bool fast_record(const Document& d, std::size_t begin, std::size_t limit, NodeRecord& record) {
+/// The usual record, in columns and with nothing else on its lines. `like`: a record with the fields of `record`, or
+/// null; becomes this one.
+bool fast_record(const Document& d, std::size_t begin, std::size_t limit, NodeRecord& record, const char*& like) {
   const std::size_t feed = d.line_end.size();
   if (limit - begin < kHeaderColumns + kRealColumns + 2 * feed) return false;
   const char* header = d.lines.text.data() + begin;
   const char* reals = header + kHeaderColumns + feed;
   if (!d.ends_line(begin + kHeaderColumns) || !d.ends_line(begin + kHeaderColumns + feed + kRealColumns)) return false;
   if (!fast_integer(header, record.label)) return false;
-  for (std::size_t k = 0; k < record.fields.size(); ++k)
-    if (!fast_integer(header + (k + 1) * kIntegerWidth, record.fields[k])) return false;
+  if (like == nullptr || !same_fields(header + kIntegerWidth, like + kIntegerWidth, record.fields.size())) {
+    like = nullptr;
+    for (std::size_t k = 0; k < record.fields.size(); ++k)
+      if (!fast_integer(header + (k + 1) * kIntegerWidth, record.fields[k])) return false;
+    like = header;
+  }
   if (!fast_real(reals, record.position.x) || !fast_real(reals + kRealWidth, record.position.y) ||
       !fast_real(reals + 2 * kRealWidth, record.position.z))
     return false;
@@ -167,13 +172,14 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
   std::atomic<bool> good = true;
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     std::vector<std::int64_t> scratch;
+    NodeRecord fast;
+    const char* like = nullptr;
     // A piece that begins inside a record leaves its second line to the piece before.
     std::size_t at = first_line[k] % 2 == 0 ? borders[k] : d.lines.at(borders[k], dataset.body_end).next;
     std::size_t i = before + (first_line[k] + 1) / 2;
     for (const std::size_t last = before + (first_line[k + 1] + 1) / 2; i < last && good; ++i) {
       model.node_place[i] = at;
-      NodeRecord fast;
-      if (fast_record(d, at, dataset.body_end, fast)) {
+      if (fast_record(d, at, dataset.body_end, fast, like)) {
         found[k].add_systems(fast, at);
         model.node_label[i] = fast.label, model.position[i] = fast.position, at = fast.end;
         continue;

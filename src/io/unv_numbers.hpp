@@ -42,6 +42,18 @@ struct Reals {
 };
 Cut parse_reals(std::string_view line, std::size_t width, Reals& reals);
 
+/// Whether `n` fields of ten columns hold the same characters.
+inline bool same_fields(const char* a, const char* b, std::size_t n = 1) {
+  for (; n > 0; --n, a += kIntegerWidth, b += kIntegerWidth) {
+    std::uint64_t x = 0, y = 0;
+    std::uint16_t u = 0, v = 0;
+    std::memcpy(&x, a, sizeof x), std::memcpy(&y, b, sizeof y);
+    std::memcpy(&u, a + sizeof x, sizeof u), std::memcpy(&v, b + sizeof y, sizeof v);
+    if (x != y || u != v) return false;
+  }
+  return true;
+}
+
 /// Fast path: a field of ten columns holding at most eight digits, right-justified.
 inline bool fast_integer(const char* field, std::int64_t& value) {
   if constexpr (std::endian::native != std::endian::little) return false;

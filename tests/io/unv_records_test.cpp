@@ -199,6 +199,20 @@ TEST(UnvElements, NodeCountDecidesTheShape) {
   EXPECT_EQ(m.shape(ElementId(1u)), Shape::kSolid);
 }
 
+TEST(UnvElements, HeadersThatChangeBackAndForth) {
+  const auto triangle = [](std::int64_t label, std::int64_t property) {
+    return line({label, 91, property, 1, 7, 3}) + line({1, 2, 5});
+  };
+  const Model m = with_elements(triangle(1, 4) + triangle(2, 4) + line({3, 21, 4, 1, 7, 2}) + line({6, 1, 1}) +
+                                line({1, 2}) + triangle(4, 4) + triangle(5, 9) + "6 91 8 1 7 3\n1 2 5\n" +
+                                triangle(7, 9) + line({8, 94, 9, 1, 7, 4}) + line({1, 2, 5, 4}) + triangle(9, 9));
+  EXPECT_EQ(node_counts(m), (Counts{3, 3, 2, 3, 3, 3, 3, 4, 3}));
+  std::vector<std::int64_t> properties;
+  for (std::size_t e = 0; e < m.n_elements(); ++e) properties.push_back(m.attributes_of(ElementId(e)).physical);
+  EXPECT_EQ(properties, (std::vector<std::int64_t>{4, 4, 4, 4, 9, 8, 9, 9, 9}));
+  EXPECT_EQ(m.orientation_nodes.size(), 1u);
+}
+
 TEST(UnvElements, NegativePropertyNumbersAreWarnedAbout) {
   EXPECT_TRUE(warns(with_elements(line({1, 91, -1, 1, 7, 3}) + line({1, 2, 5}) + kTriangle), "negative-number"));
 }

@@ -90,6 +90,24 @@ TEST(UnvSplice, UnchangedGroupsKeepOddSpacing) {
   EXPECT_NE(text.find(odd), std::string::npos);
 }
 
+TEST(UnvSplice, LinesOfAGroupOfWhichNothingGoesStayAsTheyAre) {
+  const auto strip = [](const std::string& members, std::int64_t count) {
+    return line({5, 0, 0, 0, 0, 0, 0, count}) + "STRIP\n" + members;
+  };
+  const std::string first = line({8, 1, 0, 0, 8, 2, 0, 0}), second = line({7, 3, 0, 0, 8, 3, 0, 0}),
+                    third = line({7, 5, 0, 0, 7, 4, 0, 0}), rest = line({8, 4, 0, 0});
+  const Model base = read(mesh(dataset("2467", strip(first + second + third + rest, 7) + kGroups)));
+  Merged merged = nothing(base);
+  merged.graft.removed_elements[0] = {ElementId(2u), ElementId(3u)};  // 3 and 4
+  merged.graft.new_elements.push_back(
+      {{0, ElementId(3u)}, {NodeRef{0, NodeId(1u)}, NodeRef{0, NodeId(5u)}, NodeRef{0, NodeId(4u)}}, {}});
+  merged.graft.new_elements.back().groups = merged.graft.group_sets.intern({GroupId(0u)});
+  merged.labels.first_new_node = 7, merged.labels.first_new_element = 6;
+  Report report;
+  EXPECT_NE(spliced(base, {}, merged, report).find(strip(first + third + line({7, 3, 0, 0, 8, 6, 0, 0}), 6)),
+            std::string::npos);
+}
+
 TEST(UnvSplice, NewRecordsGoBeforeAMissingDelimiterAndLineEnd) {
   std::string text = dataset("2411", kNodes) + dataset("2467", kGroups) + opening("2412") + kElements;
   text.pop_back();
