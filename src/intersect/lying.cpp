@@ -108,8 +108,9 @@ class Declarer {
     return l_.imprinted_vertex[s][v.value] && !m_.has_symbol(s, v);
   }
 
-  /// Vertices of features that lie beside a feature of the other side, as seen along the normal; and any
-  /// vertex of the side that goes beside an imprinted edge of the other, which would leave a sliver.
+  /// Vertices of features that lie beside a feature of the other side, as seen along the normal; and what would
+  /// leave a sliver: any vertex of the side that goes beside an imprinted edge of the other, any edge of it
+  /// beside an imprinted vertex.
   void snap_to_features(std::size_t s) {
     const std::size_t o = 1 - s;
     std::vector<Spot> spots;
@@ -147,7 +148,9 @@ class Declarer {
       if (to_vertex && offset(l_.at(o, x)) <= beside)
         spots.push_back({v, 0, offset(l_.at(o, x)), x.value, 0, l_.at(o, x), slid(l_.at(o, x))});
       const LocalEdge e = other.edges(g)[k];
-      if (!(is_feature && other.is_feature_edge(e)) && !(may_slide && l_.imprinted_edge[o][e])) continue;
+      const bool to_edge = (is_feature && other.is_feature_edge(e)) ||
+                           (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
+      if (!to_edge) continue;
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);
       const Vec3 flat = l_.at(s, v) - dot(n, l_.at(s, v) - a) * n;
       const SegmentPoint c = closest_on_segment(flat, a, b);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/predicates.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/lying.hpp"
 
@@ -84,79 +85,96 @@ class Tracer {
     if (!on_one_edge(o, g, p, q)) l_.segments[o].push_back({g, {low, high}});
   }
 
+  /// What the straight way from a symbol leaves a face through.
   struct Exit {
-    double along = 0;
+    double along = 0;  // the way
     LocalFace face = 0;
     Carrier on;
     Vec3 point;
   };
 
-  /// The plane in which a way runs and how far along it a point is.
+  /// The straight way from one symbol to another, in the surface of one side.
   struct Way {
-    Vec3 from, dir, across;
+    Vec3 from, to, up;  // `up`: over the start
+    Vec3 dir;
     double length = 0, weld = 0;
     [[nodiscard]] double along(Vec3 p) const { return dot(p - from, dir); }
-    [[nodiscard]] double beside(Vec3 p) const { return dot(p - from, across); }
-    [[nodiscard]] int sign(Vec3 p) const {
-      const double d = beside(p);
-      return d > weld ? 1 : d < -weld ? -1 : 0;
-    }
+    /// On which side of the way a point lies.
+    [[nodiscard]] int sign(Vec3 p) const { return orientation_sign(from, to, up, p); }
   };
 
   [[nodiscard]] Way way(std::size_t o, const Symbol& a, const Symbol& b) const {
     Way w;
-    w.from = l_.at(o, a.vertex);
-    const Vec3 to = l_.at(o, b.vertex);
-    w.length = distance(w.from, to);
-    w.dir = normalized(to - w.from);
+    w.from = l_.at(o, a.vertex), w.to = l_.at(o, b.vertex);
+    w.length = distance(w.from, w.to);
+    w.dir = normalized(w.to - w.from);
     const LocalFace f = faces_at(o, a.on[o])[0], g = faces_at(o, b.on[o])[0];
     const Vec3 n = unit_normal(l_.triangle(o, f)), m = unit_normal(l_.triangle(o, g));
-    w.across = normalized(cross(dot(n, m) < 0 ? n - m : n + m, w.dir));
-    w.weld = l_.rule.weld(std::min(l_.size(o, f), l_.size(o, g)));
+    const double size = std::min(l_.size(o, f), l_.size(o, g));
+    w.up = w.from + size * normalized(dot(n, m) < 0 ? n - m : n + m);
+    w.weld = l_.rule.weld(size);
     return w;
   }
 
-  /// The next edge or vertex in the direction of the way, out of a face at the symbol.
-  [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Symbol& at, const Way& w, double along) const {
-    std::optional<Exit> best;
-    const auto offer = [&](Exit e) {
-      if (e.along > along + w.weld && e.along < w.length && (!best || e.along < best->along)) best = e;
-    };
-    for (const LocalFace g : faces_at(o, at.on[o])) {
-      if (!l_.is_flat[o][g]) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const VertexId v = m_.side[o].corners(g)[k];
-        const Vec3 p = l_.at(o, v);
-        if (w.sign(p) == 0) offer({w.along(p), g, {Carrier::kVertex, v.value, 0}, p});
-        const LocalEdge e = m_.side[o].edges(g)[k];
-        const Vec3 a = l_.at(o, m_.side[o].ends(e)[0]), b = l_.at(o, m_.side[o].ends(e)[1]);
-        if (m_.on_edge(at, o, e) || w.sign(a) * w.sign(b) >= 0) continue;
-        const double t = w.beside(a) / (w.beside(a) - w.beside(b));
-        offer({w.along(lerp(a, b, t)), g, {Carrier::kEdge, e, t}, lerp(a, b, t)});
-      }
+  /// A symbol may be passed on the way along an edge of the other side only if it lies on that edge.
+  [[nodiscard]] bool is_passable(std::size_t o, VertexId x) const { return !m_.has_symbol(o, x); }
+
+  /// Where the way goes through the edge (a, b), if it does so ahead: in a vertex that is no farther than the
+  /// weld length from there, else inside.
+  [[nodiscard]] std::optional<Exit> through(std::size_t o, LocalFace g, LocalEdge e, const Way& w) const {
+    const auto& ends = m_.side[o].ends(e);
+    const Vec3 a = l_.at(o, ends[0]), b = l_.at(o, ends[1]);
+    const int at_a = w.sign(a), at_b = w.sign(b);
+    if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) return std::nullopt;
+    const Vec3 across = cross(w.up - w.from, w.dir);
+    const double da = std::abs(dot(across, a - w.from)), db = std::abs(dot(across, b - w.from));
+    const double t = at_a == 0 ? 0 : at_b == 0 ? 1 : da + db > 0 ? da / (da + db) : 0.5;
+    const Vec3 point = lerp(a, b, t);
+    if (w.along(point) <= 0) return std::nullopt;
+    for (const std::size_t k : {0, 1}) {
+      const Vec3 end = l_.at(o, ends[k]);
+      const bool is_there = (k == 0 ? at_a : at_b) == 0;
+      if (is_there || (distance(point, end) <= w.weld && w.along(end) > 0 && is_passable(o, ends[k])))
+        return Exit{w.along(end), g, {Carrier::kVertex, ends[k].value, 0}, end};
     }
-    return best;
+    return Exit{w.along(point), g, {Carrier::kEdge, e, t}, point};
   }
 
+  /// The next edge or vertex on the way, out of a face at the symbol.
+  [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Symbol& at, const Way& w) const {
+    std::optional<Exit> first;
+    for (const LocalFace g : faces_at(o, at.on[o])) {
+      if (!l_.is_flat[o][g]) continue;
+      for (const LocalEdge e : m_.side[o].edges(g)) {
+        if (m_.on_edge(at, o, e)) continue;
+        const auto found = through(o, g, e, w);
+        if (found && (!first || found->along < first->along)) first = found;
+      }
+    }
+    return first;
+  }
+
+  /// From symbol to symbol, each time straight towards the last: a vertex that the way comes too near to
+  /// bends it.
   bool follow(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) {
     const std::size_t o = 1 - s;
-    const Way w = way(o, m_.symbols[from.symbol], m_.symbols[to.symbol]);
     std::uint32_t now = from.symbol;
-    double along = 0;
+    double t = from.t;
     for (std::size_t step = 0; step <= m_.side[o].n_edges(); ++step) {
       for (const LocalFace g : faces_at(o, m_.symbols[now].on[o]))
         if (m_.on_face(m_.symbols[to.symbol], o, g)) {
           link(o, g, now, to.symbol);
           return true;
         }
-      const auto next = exit(o, m_.symbols[now], w, along);
-      if (!next) return false;
+      const Way w = way(o, m_.symbols[now], m_.symbols[to.symbol]);
+      const auto next = exit(o, m_.symbols[now], w);
+      if (!next || next->along >= w.length) return false;
       if (next->on.kind == Carrier::kEdge && l_.border_edge[o][next->on.id]) return false;
-      if (next->on.kind == Carrier::kVertex && m_.has_symbol(o, VertexId(std::size_t{next->on.id}))) return false;
-      const double t = from.t + (to.t - from.t) * next->along / w.length;
+      if (next->on.kind == Carrier::kVertex && !is_passable(o, VertexId(std::size_t{next->on.id}))) return false;
+      t += (to.t - t) * next->along / w.length;
       const std::uint32_t symbol = pass(s, {Carrier::kEdge, e, t}, next->on, next->point);
       link(o, next->face, now, symbol);
-      now = symbol, along = next->along;
+      now = symbol;
     }
     return false;
   }
