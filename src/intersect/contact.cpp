@@ -34,13 +34,13 @@ double area_of(const std::vector<Vec3>& polygon) {
   return 0.5 * norm(sum);
 }
 
-/// The part of `u` over `t`, seen along the normal of t.
-std::vector<Vec3> part_over(const Triangle& u, const Triangle& t) {
+/// The part of `u` over `t` and no farther than `beside` from there, seen along the normal of t.
+std::vector<Vec3> part_over(const Triangle& u, const Triangle& t, double beside = 0) {
   const Vec3 n = unit_normal(t);
   std::vector<Vec3> polygon(u.begin(), u.end());
   for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 a = t[k], inward = cross(n, t[(k + 1) % 3] - a);
-    polygon = clipped(polygon, [&](Vec3 p) { return dot(inward, p - a); });
+    const Vec3 a = t[k], inward = normalized(cross(n, t[(k + 1) % 3] - a));
+    polygon = clipped(polygon, [&](Vec3 p) { return dot(inward, p - a) + beside; });
   }
   return polygon;
 }
@@ -56,6 +56,7 @@ struct CommonArea {
   double whole = 0, within = 0;
   void add(const CommonArea& other) { whole += other.whole, within += other.within; }
   [[nodiscard]] bool lies_on() const { return whole > 0 && within >= kMost * whole; }
+  [[nodiscard]] bool stands_off() const { return whole > 0 && !lies_on(); }
 };
 
 CommonArea common_area(const Triangle& t, const Triangle& u, double gap) {
@@ -104,6 +105,7 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   struct Found {
     std::array<FaceId, 2> pair;
     CommonArea area;
+    bool is_beside = false;
   };
   std::vector<Found> found;
   std::map<FaceId, CommonArea> of_face;
@@ -114,20 +116,28 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
       const FaceId f = a.faces[i], g = b.faces[j];
       const Triangle u = complex.corners(g);
       if (!rule.is_flat(n, unit_normal(u))) return;
-      const double gap = rule.gap(std::min(size[f.value], size[g.value]));
+      const double smaller = std::min(size[f.value], size[g.value]), gap = rule.gap(smaller);
       if (within({u.begin(), u.end()}, t, gap).empty()) return;
-      found.push_back({{f, g}, common_area(t, u, gap)});
+      const CommonArea area = common_area(t, u, gap);
+      const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, gap).empty();
+      found.push_back({{f, g}, area, is_beside});
     });
   }
   std::ranges::sort(found, {}, &Found::pair);
   for (const Found& f : found)
     for (const FaceId face : f.pair) of_face[face].add(f.area);
+  // Planes that cross are near each other along a strip: a face lies on the other side as a whole.
+  const auto lie = [&](const Found& f) {
+    return f.area.lies_on() && of_face[f.pair[0]].lies_on() && of_face[f.pair[1]].lies_on();
+  };
+  const auto may_come_to_lie = [&](const Found& f) {
+    return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off();
+  };
+  const bool any = std::ranges::any_of(found, lie);
   Contacts contacts;
   for (const Found& f : found) {
     contacts.pairs.push_back(f.pair);
-    // Planes that cross are near each other along a strip: a face lies on the other side as a whole.
-    const bool lie = f.area.lies_on() && of_face[f.pair[0]].lies_on() && of_face[f.pair[1]].lies_on();
-    contacts.on_each_other.push_back(lie ? 1 : 0);
+    contacts.on_each_other.push_back(any && (lie(f) || may_come_to_lie(f)) ? 1 : 0);
   }
   return contacts;
 }

@@ -29,8 +29,9 @@ struct ContactRule {
 /// Faces of two sides that are flat to each other and come nearer than the gap.
 struct Contacts {
   std::vector<std::array<FaceId, 2>> pairs;  // ascending
-  std::vector<std::uint8_t> on_each_other;   // by pair: within the gap over most of the area that they, and each of
-                                             // them and the other side, have in common
+  /// By pair: within the gap over most of the area that they, and each of them and the other side, have in
+  /// common; or without common area and so near that snapping may give them some. None if there is no area.
+  std::vector<std::uint8_t> on_each_other;
 };
 [[nodiscard]] Contacts find_contacts(const Complex& complex, std::span<const FaceId> first,
                                      std::span<const FaceId> second, std::span<const double> size,

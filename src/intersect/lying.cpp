@@ -169,24 +169,27 @@ class Declarer {
       const LocalFace g = l_.cover_face[o][foot.face];
       const double size = std::min(l_.size(o, g), l_.size(s, m_.side[s].faces_at(v)[0]));
       if (distance(l_.at(s, v), foot.point) > l_.rule.gap(size)) continue;
-      const Spot spot = spot_at(o, g, v, foot.point, size);
       if (foot.on_border && foot.beside > l_.rule.beside(size)) continue;
-      declare(s, spot);
+      if (const auto spot = spot_at(o, g, v, foot.point, size)) declare(s, *spot);
     }
   }
 
-  /// What of face g a point on it lies on, within the weld length.
-  [[nodiscard]] Spot spot_at(std::size_t o, LocalFace g, VertexId v, Vec3 point, double size) const {
+  /// What of face g a point on it lies on, within the weld length. Nothing at a corner that is taken: the vertex
+  /// lies beyond a corner of the border which became another point.
+  [[nodiscard]] std::optional<Spot> spot_at(std::size_t o, LocalFace g, VertexId v, Vec3 point, double size) const {
     const Vec3 own = l_.at(1 - o, v);
     const Side& other = m_.side[o];
     const double weld = l_.rule.weld(size);
     for (const VertexId x : other.corners(g))
-      if (distance(l_.at(o, x), point) <= weld && !m_.has_symbol(o, x)) return {v, 0, 0, x.value, 0, l_.at(o, x), own};
+      if (distance(l_.at(o, x), point) <= weld) {
+        if (m_.has_symbol(o, x)) return std::nullopt;
+        return Spot{v, 0, 0, x.value, 0, l_.at(o, x), own};
+      }
     for (const LocalEdge e : other.edges(g)) {
       const SegmentPoint c = closest_on_segment(point, l_.at(o, other.ends(e)[0]), l_.at(o, other.ends(e)[1]));
-      if (distance(c.point, point) <= weld && c.t > 0 && c.t < 1) return {v, 1, 0, e, c.t, c.point, own};
+      if (distance(c.point, point) <= weld && c.t > 0 && c.t < 1) return Spot{v, 1, 0, e, c.t, c.point, own};
     }
-    return {v, 2, 0, g, 0, point, own};
+    return Spot{v, 2, 0, g, 0, point, own};
   }
 
   void declare(std::size_t s, const Spot& spot) {

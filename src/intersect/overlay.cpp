@@ -87,9 +87,14 @@ class Overlayer {
       return tl::unexpected(std::move(*fault));
     }
     out_.any = true;
+    on_both_.assign(complex_.n_vertices(), 0);
+    for (const Symbol& symbol : l.meeting.symbols) on_both_[symbol.vertex.value] = 1;
     move_vertices(l);
-    take_out_flat(l);
+    // Slivers beside the border lose their area where their corners move onto it. What is left beside a corner
+    // of the border is flatter than what is snapped.
+    take_out_flat(l, [&](double) { return rule_.snap.noise(); });
     take_out(l);
+    take_out_flat(l, [&](double size) { return rule_.beside(size); });
     return std::move(out_);
   }
 
@@ -162,20 +167,24 @@ class Overlayer {
     out_.replaced = l.meeting.replaced;
   }
 
-  /// Slivers beside the border lose their area where their corners move onto it.
-  void take_out_flat(const LyingMeeting& l) {
-    std::vector<std::uint8_t> has_symbol(complex_.n_vertices());
-    for (const Symbol& symbol : l.meeting.symbols) has_symbol[symbol.vertex.value] = 1;
-    std::vector<std::uint8_t> may_go;
+  /// Takes out the pieces on the border of the side that goes that are no higher than `height` of their size.
+  template <class F>
+  void take_out_flat(const LyingMeeting& l, F&& height) {
+    std::vector<double> heights;
     for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
-      const auto& v = complex_.face[f];
-      const bool on_both = has_symbol[v[0].value] && has_symbol[v[1].value] && has_symbol[v[2].value];
-      may_go.push_back(on_both && l.meeting.side[l.goes()].find(marks_.from[f]) != kNowhere ? 1 : 0);
+      const bool may_go = is_on_both(f) && l.meeting.side[l.goes()].find(marks_.from[f]) != kNowhere;
+      heights.push_back(may_go ? height(marks_.size[f]) : -1);
     }
-    take_out_flat_faces(complex_, marks_, may_go, rule_.snap.noise());
+    take_out_flat_faces(complex_, marks_, heights, rule_.snap.noise());
   }
 
-  /// The faces that were in contact, or what they were cut into.
+  /// All corners of a face lie on both sides.
+  [[nodiscard]] bool is_on_both(std::size_t f) const {
+    return std::ranges::all_of(complex_.face[f], [&](VertexId v) { return on_both_[v.value] != 0; });
+  }
+
+  /// The faces that were in contact, or what they were cut into; and those that came onto the other side only
+  /// where features were snapped to it.
   struct Pieces {
     std::vector<FaceId> faces;          // ascending
     std::vector<std::uint8_t> covered;  // by position: lies on the other side
@@ -186,7 +195,8 @@ class Overlayer {
     Pieces p;
     for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
       const LocalFace from = l.meeting.side[s].find(marks_.from[f]);
-      if (from != kNowhere && l.in_contact[s][from]) p.faces.push_back(FaceId(f));
+      if (from != kNowhere && (l.in_contact[s][from] || (l.is_flat[s][from] && is_on_both(f))))
+        p.faces.push_back(FaceId(f));
     }
     return p;
   }
@@ -194,6 +204,12 @@ class Overlayer {
   [[nodiscard]] Triangle chart_triangle(const LyingMeeting& l, std::size_t s, FaceId f) const {
     const auto& v = complex_.face[f.value];
     return {l.at(s, v[0]), l.at(s, v[1]), l.at(s, v[2])};
+  }
+
+  /// The middle of a piece of side s, in the chart of the other side if it knows all corners: what was snapped
+  /// lies apart in the two.
+  [[nodiscard]] Vec3 middle(const LyingMeeting& l, std::size_t s, FaceId f) const {
+    return centroid(chart_triangle(l, is_on_both(f.value) ? 1 - s : s, f));
   }
 
   /// A region lies on `cover` if most of its area does.
@@ -204,7 +220,7 @@ class Overlayer {
       const Triangle t = chart_triangle(l, s, p.faces[i]);
       const LocalFace from = l.meeting.side[s].find(marks_.from[p.faces[i].value]);
       const Vec3 n = unit_normal(l.triangle(s, from));
-      vote[regions[i]] += cover.covers(centroid(t), n, rule_) ? area(t) : -area(t);
+      vote[regions[i]] += cover.covers(middle(l, s, p.faces[i]), n, rule_) ? area(t) : -area(t);
     }
     p.covered.resize(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) p.covered[i] = vote[regions[i]] > 0;
@@ -229,7 +245,7 @@ class Overlayer {
     classify(l, l.stays, cover, staying);
     for (std::size_t i = 0; i < staying.size(); ++i)
       if (staying.covered[i])
-        unite(l, staying.faces[i], covered[cover.foot(centroid(chart_triangle(l, l.stays, staying.faces[i]))).face]);
+        unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
     for (std::size_t i = 0; i < covered.size(); ++i)
       out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over()});
     remove(covered);
@@ -276,6 +292,7 @@ class Overlayer {
   FaceMarks& marks_;
   const Sides& sides_;
   ContactRule rule_;
+  std::vector<std::uint8_t> on_both_;  // by vertex: it has a symbol
   Overlaid out_;
 };
 

@@ -115,6 +115,63 @@ TEST(Overlay, AnEdgeOverAFreeEdgeTakesItsNodes) {
   expect_no_area_lost({.x = 5, .y = 2.5, .length = 2, .width = 5, .lean = 0.004, .base_jitter = 0.3, .noise = 1e-4});
 }
 
+/// Features that are snapped bring faces onto the other mesh that did not lie on it before.
+TEST(Overlay, FacesThatSnappingBringsOntoTheOtherMeshAreCovered) {
+  expect_no_area_lost({.x = 4.286,
+                       .y = 3.53,
+                       .length = 3.2815,
+                       .width = 4.3175,
+                       .turn = 0.3549895,
+                       .size = 0.43,
+                       .lean = 0.00172,
+                       .noise = 1e-6,
+                       .tilt = 0.6825});
+  expect_no_area_lost({.x = 2.594,
+                       .y = -0.124,
+                       .length = 4.867,
+                       .width = 4.727,
+                       .turn = 2.5980205,
+                       .size = 0.43,
+                       .jitter = 0.3,
+                       .noise = 1e-7,
+                       .tilt = 1.212});
+  expect_no_area_lost({.x = 3.008,
+                       .y = -0.01,
+                       .length = 2.354,
+                       .width = 4.3245,
+                       .turn = 2.368691,
+                       .size = 1.7,
+                       .base_jitter = 0.3,
+                       .noise = 1e-9,
+                       .tilt = 0.2985});
+}
+
+/// A piece of the border lay on the other mesh only as that one saw it: a corner had been snapped beside it.
+TEST(Overlay, APieceOfTheBorderBesideASnappedCornerIsFollowed) {
+  expect_no_area_lost({.x = 1.28,
+                       .y = -0.25,
+                       .length = 3.7365,
+                       .width = 2.214,
+                       .turn = 1.3037225,
+                       .base_jitter = 0.3,
+                       .noise = 1e-9,
+                       .tilt = 0.63,
+                       .staggered = true});
+}
+
+/// A corner of the plate became a point of the free edge; a corner of the base beyond it had nowhere to lie.
+TEST(Overlay, ACornerBeyondASnappedCornerStaysFree) {
+  expect_no_area_lost({.x = 2.942,
+                       .y = 0.95,
+                       .length = 1.619,
+                       .width = 4.727,
+                       .turn = 0.9581575,
+                       .size = 0.8,
+                       .base_jitter = 0.3,
+                       .noise = 1e-6,
+                       .tilt = 0.105});
+}
+
 /// The same, where what was left between edge and node was a face without area, or the same face twice.
 TEST(Overlay, NoSliverIsLeftBesideAFreeEdge) {
   expect_no_area_lost(
