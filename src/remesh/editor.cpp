@@ -18,22 +18,29 @@ constexpr int kEdgeSamples = 3;       // inside an edge, where its distance from
 Editor::Editor(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone, Sizing sizing,
                const RemeshOptions& options)
     : brep_(brep),
-      reference_(complex, brep, in_zone),
+      reference_(std::make_shared<Reference>(complex, brep, in_zone)),
       mesh_(complex, brep, in_zone),
       sizing_(std::move(sizing)),
       options_(options) {
   for (std::size_t c = 0; c < brep.curves.size(); ++c) {
     const CurveId id(c);
-    if (reference_.polyline(id).empty()) continue;
+    if (reference_->polyline(id).empty()) continue;
     const auto& chain = brep.curves[c].chain;
     for (std::size_t k = chain.size(); k-- > 0;) {  // backwards: a closed curve starts at arc length 0
       LocalVertex v = mesh_.vertex(chain[k]);
       if (v.dimension != Dimension::kCurve) continue;
-      v.curve = id, v.arc = reference_.arcs(id)[k], v.fixed = v.fixed || brep.curves[c].fixed;
+      v.curve = id, v.arc = reference_->arcs(id)[k], v.fixed = v.fixed || brep.curves[c].fixed;
       mesh_.describe(chain[k], v);
     }
   }
 }
+
+Editor::Editor(const Editor& whole, SheetId sheet, std::span<const FaceId> faces)
+    : brep_(whole.brep_),
+      reference_(whole.reference_),
+      mesh_(whole.mesh_, sheet, faces),
+      sizing_(whole.sizing_),
+      options_(whole.options_) {}
 
 double Editor::size(VertexId v) {
   const LocalVertex& vertex = mesh_.vertex(v);
@@ -82,17 +89,17 @@ double Editor::deviation(const LocalFace& f) const {
   for (const VertexId v : f.v)
     if (mesh_.vertex(v).dimension == Dimension::kSheet) hint = mesh_.vertex(v).beneath;
   const auto share = [&](const Foot& foot) {
-    return foot.distance / (options_.max_deviation * reference_.edge_length(foot.face));
+    return foot.distance / (options_.max_deviation * reference_->edge_length(foot.face));
   };
-  const Foot middle = reference_.project(f.sheet, centroid(t), hint);
-  const double cosine = dot(unit_normal(t), reference_.normal(middle.face));
+  const Foot middle = reference_->project(f.sheet, centroid(t), hint);
+  const double cosine = dot(unit_normal(t), reference_->normal(middle.face));
   if (cosine < kLeastCosine) return kTurned * (1 + kLeastCosine - cosine);
   double worst = share(middle);
   for (std::size_t k = 0; k < 3; ++k) {
     if (f.curve[k].valid()) continue;
     for (int i = 1; i <= kEdgeSamples; ++i) {
       const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (kEdgeSamples + 1));
-      worst = std::max(worst, share(reference_.project(f.sheet, p, middle.face)));
+      worst = std::max(worst, share(reference_->project(f.sheet, p, middle.face)));
     }
   }
   return worst;
@@ -163,8 +170,8 @@ std::optional<Editor::Reach> Editor::reach(VertexId v) const {
   if (!at.curve.valid() || !neighbours[0].valid() || mesh_.curve_at(v, neighbours[0]) != at.curve ||
       mesh_.curve_at(v, neighbours[1]) != at.curve)
     return std::nullopt;
-  const Curve& curve = reference_.curve(at.curve);
-  const double whole = reference_.length(at.curve);
+  const Curve& curve = reference_->curve(at.curve);
+  const double whole = reference_->length(at.curve);
   const bool loop = curve.chain.front() == curve.chain.back();
   // How far ahead a neighbour is, counted forwards; corners are the ends of the chain.
   const auto ahead = [&](VertexId u) {
@@ -202,8 +209,8 @@ std::optional<VertexId> Editor::split_curve(VertexId a, VertexId b, CurveId curv
   const FacesOfEdge faces = mesh_.faces_at(a, b);
   if (!splittable(faces)) return std::nullopt;
   LocalVertex v;
-  v.position = reference_.point(curve, arc);
-  v.dimension = Dimension::kCurve, v.fixed = false, v.curve = curve, v.arc = reference_.wrapped(curve, arc);
+  v.position = reference_->point(curve, arc);
+  v.dimension = Dimension::kCurve, v.fixed = false, v.curve = curve, v.arc = reference_->wrapped(curve, arc);
   const VertexId id = mesh_.add_vertex(v);
   split_faces(a, b, id, faces);
   return id;
@@ -228,7 +235,7 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
     v.dimension = Dimension::kSheet, v.fixed = false, v.sheet = sheet;
     for (const VertexId end : {a, b})
       if (mesh_.vertex(end).dimension == Dimension::kSheet) v.beneath = mesh_.vertex(end).beneath;
-    const Foot foot = reference_.place(sheet, middle, v.beneath);
+    const Foot foot = reference_->place(sheet, middle, v.beneath);
     v.position = foot.point, v.beneath = foot.face;
     id = mesh_.add_vertex(v);
     split_faces(a, b, *id, faces);
@@ -243,12 +250,12 @@ std::optional<VertexId> Editor::split(VertexId a, VertexId b) {
   return id;
 }
 
-std::optional<VertexId> Editor::insert(FaceId f, const Foot& at, double size) {
+std::optional<VertexId> Editor::insert(FaceId f, const Foot& at) {
   const LocalFace old = mesh_.face(f);
   const Mark start = mark();
   LocalVertex v;
   v.position = at.point, v.dimension = Dimension::kSheet, v.fixed = false;
-  v.sheet = old.sheet, v.beneath = at.face, v.size = size, v.sized_at = at.point;
+  v.sheet = old.sheet, v.beneath = at.face;
   const VertexId id = mesh_.add_vertex(v);
   const Vec3 normal = area_vector(mesh_.corners(f));
   mesh_.remove_face(f);
@@ -271,7 +278,7 @@ std::optional<double> Editor::middle_arc(VertexId a, VertexId b, CurveId curve) 
     if (!span) return std::nullopt;
     return 0.5 * (mesh_.vertex(v).arc + (span->after == other ? span->to : span->from));
   }
-  return 0.5 * reference_.length(curve);  // both ends are corners: the edge is the whole curve
+  return 0.5 * reference_->length(curve);  // both ends are corners: the edge is the whole curve
 }
 
 }  // namespace meshgraft

@@ -1,6 +1,7 @@
 // The local operations of the remesher. Each checks first and leaves a valid mesh or an unchanged one.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "remesh/local_mesh.hpp"
@@ -22,8 +23,13 @@ class Editor {
   Editor(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone, Sizing sizing,
          const RemeshOptions& options);
 
+  /// Of a piece of another's mesh; see LocalMesh.
+  Editor(const Editor& whole, SheetId sheet, std::span<const FaceId> faces);
+  [[nodiscard]] bool clashes_with(const Editor& piece) const { return mesh_.clashes_with(piece.mesh_); }
+  void absorb(const Editor& piece) { mesh_.absorb(piece.mesh_); }
+
   [[nodiscard]] const LocalMesh& mesh() const { return mesh_; }
-  [[nodiscard]] const Reference& reference() const { return reference_; }
+  [[nodiscard]] const Reference& reference() const { return *reference_; }
   [[nodiscard]] const RemeshOptions& options() const { return options_; }
 
   /// Wanted edge length at a vertex; the mean of both at an edge.
@@ -48,10 +54,8 @@ class Editor {
   bool flip_gains(VertexId a, VertexId b);
   /// Removes a vertex of a sheet or of a curve and fills its star anew, as well as possible.
   bool remove(VertexId v);
-  /// Puts a vertex into a face, at a point of its sheet where `size` is wanted (0: to be asked).
-  std::optional<VertexId> insert(FaceId f, const Foot& at, double size = 0);
-  /// Wanted edge length at a point of a sheet.
-  [[nodiscard]] double size(SheetId sheet, Vec3 p) const { return sizing_.in_sheet(sheet, p); }
+  /// Puts a vertex into a face, at a point of its sheet.
+  std::optional<VertexId> insert(FaceId f, const Foot& at);
   /// Puts a vertex in the middle of an edge (of the piece of its curve, if it lies on one).
   std::optional<VertexId> split(VertexId a, VertexId b);
   /// Puts a vertex at an arc length on the edge a b of a curve; the place must lie on that edge.
@@ -94,7 +98,7 @@ class Editor {
   double allowed_deviation(std::span<const FaceId> replaced);
 
   const Brep& brep_;
-  Reference reference_;
+  std::shared_ptr<const Reference> reference_;  // the same for all pieces
   LocalMesh mesh_;
   Sizing sizing_;
   RemeshOptions options_;

@@ -51,7 +51,7 @@ bool Editor::search(VertexId v, Goal goal) {
 bool Editor::search_in_sheet(VertexId v, Goal goal) {
   LocalVertex to = mesh_.vertex(v);
   const Sheet& sheet = mesh_.sheet(to.sheet);
-  const Vec3 normal = sheet.planar ? sheet.normal : reference_.normal(to.beneath);
+  const Vec3 normal = sheet.planar ? sheet.normal : reference_->normal(to.beneath);
   const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 e = normalized(cross(normal, helper)), f = cross(normal, e);
   const double wanted = size(v);
@@ -60,7 +60,7 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
   int n_trials = 0;
   const auto attempt = [&](Vec3 p) {
     ++n_trials;
-    const Foot foot = reference_.place(to.sheet, p, to.beneath);
+    const Foot foot = reference_->place(to.sheet, p, to.beneath);
     const double value = (star_.*goal)(foot.point, best);
     if (!(value < best)) return false;
     best = value, to.position = foot.point, to.beneath = foot.face;
@@ -94,17 +94,17 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
     for (const double d : {step, -step}) {
       const double trial = arc + d;
       if (trial < low || trial > high) continue;
-      const double value = (star_.*goal)(reference_.point(to.curve, trial), best);
+      const double value = (star_.*goal)(reference_->point(to.curve, trial), best);
       if (value < best) best = value, arc = trial, better = true;
     }
     if (!better) step *= 0.5;
   }
   if (!(best < before * (1 - kLeastGain))) return false;
-  to.position = reference_.point(to.curve, arc);
-  to.arc = reference_.wrapped(to.curve, arc);
+  to.position = reference_->point(to.curve, arc);
+  to.arc = reference_->wrapped(to.curve, arc);
   const double share = kSagittaSlack * RulerOptions{}.max_sagitta;
-  if (reference_.sagitta(to.curve, span->from, arc) > share * distance(mesh_.position(span->before), to.position) ||
-      reference_.sagitta(to.curve, arc, span->to) > share * distance(mesh_.position(span->after), to.position))
+  if (reference_->sagitta(to.curve, span->from, arc) > share * distance(mesh_.position(span->before), to.position) ||
+      reference_->sagitta(to.curve, arc, span->to) > share * distance(mesh_.position(span->after), to.position))
     return false;
   return place(v, to);
 }

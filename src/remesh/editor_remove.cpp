@@ -38,7 +38,7 @@ bool Editor::remove(VertexId v) {
 bool Editor::may_join_along_curve(VertexId v, const Reach& span, std::span<const Fan> fans) const {
   const double chord = length(span.before, span.after);
   const CurveId curve = mesh_.vertex(v).curve;
-  if (reference_.sagitta(curve, span.from, span.to) > kSagittaSlack * RulerOptions{}.max_sagitta * chord) return false;
+  if (reference_->sagitta(curve, span.from, span.to) > kSagittaSlack * RulerOptions{}.max_sagitta * chord) return false;
   std::size_t n_gaps = 0;
   for (const Fan& fan : fans) {
     const VertexId first = fan.link.front(), last = fan.link.back();
@@ -89,9 +89,7 @@ bool Editor::fill(VertexId v, const Fan& fan, CurveId closing) {
     return q;
   };
   rules.may_join = [&](std::uint32_t i, std::uint32_t j) { return !mesh_.has_edge(fan.link[i], fan.link[j]); };
-  if (n == 3 && fan.closed)
-    for (const FaceId f : mesh_.star(fan.link[0]))
-      if (mesh_.face(f).has(fan.link[1]) && mesh_.face(f).has(fan.link[2])) return false;
+  if (n == 3 && fan.closed && mesh_.has_face({fan.link[0], fan.link[1], fan.link[2]})) return false;
   const auto filling = fill_polygon(fan.link, rules);
   if (!filling) return false;
 

@@ -102,14 +102,12 @@ class Front {
     const Vec3 p = mesh().position(a), q = mesh().position(b), middle = midpoint(p, q);
     const double edge = distance(p, q);
     const Vec3 inwards = normalized(cross(area_vector(mesh().corners(base)), q - p));
-    const double guess = 0.5 * std::sqrt(3.0) * edge;
-    const double wanted = editor_.size(face.sheet, middle + guess * inwards);
-    const double size = std::clamp(wanted, kLeastApex * edge, kMostApex * edge);
+    const double size = std::clamp(editor_.size(a, b), kLeastApex * edge, kMostApex * edge);
     const double height = std::sqrt(std::max(size * size - 0.25 * edge * edge, 0.0));
     const Foot apex = editor_.reference().place(face.sheet, middle + height * inwards, FaceId{});
     const FaceId at = locate(base, apex.point);
     if (!at.valid() || crowded(at, apex.point, size)) return;
-    const auto v = editor_.insert(at, apex, wanted);
+    const auto v = editor_.insert(at, apex);
     if (!v) return;
     const std::vector<FaceId> star(mesh().star(*v).begin(), mesh().star(*v).end());
     for (const FaceId f : star) {

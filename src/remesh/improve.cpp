@@ -79,6 +79,19 @@ void flip_all(Editor& editor) {
     }
 }
 
+template <class Which>
+void relax(Editor& editor, Which&& which) {
+  for (std::size_t k = 0; k < editor.mesh().n_vertices(); ++k) {
+    const VertexId v(k);
+    const LocalVertex& vertex = editor.mesh().vertex(v);
+    const auto star = editor.mesh().star(v);
+    if (vertex.fixed || star.empty() || !which(vertex)) continue;
+    if (std::ranges::all_of(star, [&](FaceId f) { return is_settled(editor, f); })) continue;
+    editor.relax(v);
+  }
+  editor.forget();
+}
+
 }  // namespace
 
 void fit_to_size(Editor& editor) {
@@ -87,18 +100,13 @@ void fit_to_size(Editor& editor) {
   editor.forget();
 }
 
-void relax_all(Editor& editor, int sweeps) {
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    flip_all(editor);
-    for (std::size_t k = 0; k < editor.mesh().n_vertices(); ++k) {
-      const VertexId v(k);
-      const auto star = editor.mesh().star(v);
-      if (editor.mesh().vertex(v).fixed || star.empty()) continue;
-      if (std::ranges::all_of(star, [&](FaceId f) { return is_settled(editor, f); })) continue;
-      editor.relax(v);
-    }
-    editor.forget();
-  }
+void relax_all(Editor& editor) {
+  flip_all(editor);
+  relax(editor, [](const LocalVertex&) { return true; });
+}
+
+void relax_curves(Editor& editor) {
+  relax(editor, [](const LocalVertex& v) { return v.curve.valid(); });
 }
 
 }  // namespace meshgraft

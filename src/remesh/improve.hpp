@@ -8,9 +8,11 @@ namespace meshgraft {
 /// Removes vertices that stand too close for the wanted size and splits edges too long for it.
 void fit_to_size(Editor& editor);
 
-/// Flips edges and moves vertices where that lowers the cost, `sweeps` times. Vertices of the
-/// inputs whose faces are all as they were, and good, are left alone.
-void relax_all(Editor& editor, int sweeps);
+/// Flips edges, then moves vertices, where that lowers the cost. Vertices of the inputs whose faces are all as
+/// they were, and good, are left alone.
+void relax_all(Editor& editor);
+/// The same without flips, for the vertices of curves only.
+void relax_curves(Editor& editor);
 
 /// Mends faces with Q < `target` or too far from the reference, worst Q first, by whatever local operation
 /// helps most; stops when none is left or nothing helps.

@@ -7,7 +7,7 @@
 namespace meshgraft {
 
 LocalMesh::LocalMesh(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone)
-    : brep_(brep), n_original_vertices_(complex.n_vertices()), n_original_faces_(complex.n_faces()) {
+    : brep_(brep), n_original_vertices_(complex.n_vertices()) {
   vertices_.resize(complex.n_vertices());
   star_.resize(complex.n_vertices());
   stirred_.assign(complex.n_vertices(), 1);
@@ -37,7 +37,14 @@ std::array<Vec3, 3> LocalMesh::corners(FaceId f) const {
 }
 
 bool LocalMesh::has_edge(VertexId a, VertexId b) const {
-  return std::ranges::any_of(star_[a.value], [&](FaceId f) { return faces_[f.value].has(b); });
+  return std::ranges::any_of(star_[a.value], [&](FaceId f) { return faces_[f.value].has(b); }) ||
+         is_elsewhere(std::array{a, b});
+}
+
+bool LocalMesh::has_face(const std::array<VertexId, 3>& v) const {
+  return std::ranges::any_of(star_[v[0].value],
+                             [&](FaceId f) { return faces_[f.value].has(v[1]) && faces_[f.value].has(v[2]); }) ||
+         is_elsewhere(v);
 }
 
 FacesOfEdge LocalMesh::faces_at(VertexId a, VertexId b) const {
@@ -152,7 +159,7 @@ VertexId LocalMesh::add_vertex(const LocalVertex& v) {
 FaceId LocalMesh::add_face(const LocalFace& f) {
   const FaceId id(faces_.size());
   faces_.push_back(f);
-  faces_.back().q = quality(f), faces_.back().deviation = LocalFace::kUnknown;
+  faces_.back().q = quality(f), faces_.back().deviation = LocalFace::kUnknown, faces_.back().is_new = true;
   link(id);
   history_.push_back({Step::kAddFace, id.value});
   return id;

@@ -37,6 +37,7 @@ struct LocalFace {
   double deviation = kUnknown;  // see Editor::deviation
   bool alive = true;
   bool in_zone = false;
+  bool is_new = false;  // not as in the complex
 
   /// Corner at which v stands; REQUIRES: it does.
   [[nodiscard]] std::size_t corner_of(VertexId u) const { return v[0] == u ? 0 : v[1] == u ? 1 : 2; }
@@ -58,10 +59,18 @@ class LocalMesh {
  public:
   LocalMesh(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone);
 
+  /// A piece: faces of one sheet (ascending) by themselves, with ids of their own. Its curves and corners are fixed.
+  /// `whole` is only asked for what other sheets have there, and must not change before absorb(), except by that.
+  LocalMesh(const LocalMesh& whole, SheetId sheet, std::span<const FaceId> faces);
+  /// By sheet, the faces of the zone and those of the same sheet that touch them.
+  [[nodiscard]] std::vector<std::vector<FaceId>> faces_by_sheet() const;
+  /// Whether a piece has made an edge or a face that another sheet has got since.
+  [[nodiscard]] bool clashes_with(const LocalMesh& piece) const;
+  /// Takes back what has become of a piece. Cannot be undone.
+  void absorb(const LocalMesh& piece);
+
   [[nodiscard]] std::size_t n_vertices() const { return vertices_.size(); }
   [[nodiscard]] std::size_t n_faces() const { return faces_.size(); }
-  [[nodiscard]] std::size_t n_original_vertices() const { return n_original_vertices_; }
-  [[nodiscard]] std::size_t n_original_faces() const { return n_original_faces_; }
   [[nodiscard]] const LocalVertex& vertex(VertexId v) const { return vertices_[v.value]; }
   [[nodiscard]] const LocalFace& face(FaceId f) const { return faces_[f.value]; }
   [[nodiscard]] Vec3 position(VertexId v) const { return vertices_[v.value].position; }
@@ -70,10 +79,12 @@ class LocalMesh {
   [[nodiscard]] const Sheet& sheet(SheetId s) const { return brep_.sheets[s.value]; }
   /// Faces on a vertex, no order promised (but the same in every run).
   [[nodiscard]] std::span<const FaceId> star(VertexId v) const { return star_[v.value]; }
-  [[nodiscard]] bool is_new(FaceId f) const { return f.value >= n_original_faces_; }
+  [[nodiscard]] bool is_new(FaceId f) const { return faces_[f.value].is_new; }
   [[nodiscard]] bool is_new(VertexId v) const { return v.value >= n_original_vertices_; }
 
+  /// Also true of the edges that other sheets than that of a piece have.
   [[nodiscard]] bool has_edge(VertexId a, VertexId b) const;
+  [[nodiscard]] bool has_face(const std::array<VertexId, 3>& v) const;
   /// Faces on the edge a b.
   [[nodiscard]] FacesOfEdge faces_at(VertexId a, VertexId b) const;
   /// The curve that the edge a b lies on, or none.
@@ -120,6 +131,9 @@ class LocalMesh {
   };
   void stir(FaceId f);
   void measure_star(VertexId v);
+  [[nodiscard]] bool is_on_rim(VertexId v) const { return vertices_[v.value].dimension != Dimension::kSheet; }
+  /// Whether another sheet than that of the piece has a face with all of these vertices of the piece's rim.
+  [[nodiscard]] bool is_elsewhere(std::span<const VertexId> v) const;
   void link(FaceId f);
   void unlink(FaceId f);
 
@@ -128,9 +142,15 @@ class LocalMesh {
   std::vector<LocalFace> faces_;
   std::vector<Few<FaceId, 8>> star_;
   std::vector<std::uint8_t> stirred_;  // by vertex
-  std::size_t n_original_vertices_ = 0, n_original_faces_ = 0;
+  std::size_t n_original_vertices_ = 0;
   std::vector<Change> history_;
   std::vector<LocalVertex> old_places_;  // one per kSetVertex of the history
+
+  // Of a piece:
+  const LocalMesh* whole_ = nullptr;
+  SheetId sheet_;
+  std::vector<VertexId> vertex_in_whole_;  // by vertex at the start
+  std::vector<FaceId> face_in_whole_;      // by face at the start
 };
 
 }  // namespace meshgraft

@@ -5,11 +5,11 @@
 #include "remesh/improve.hpp"
 #include "remesh/resample.hpp"
 #include "remesh/result.hpp"
+#include "remesh/sheets.hpp"
 
 namespace meshgraft {
 namespace {
 
-constexpr int kSweeps = 2;             // of flipping and moving after the front
 constexpr double kComfortable = 0.65;  // Q below which a face is mended for the sake of the mean
 constexpr double kMargin = 0.05;       // above the wanted Q, so that rounding in files cannot spoil it
 
@@ -19,12 +19,19 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
                 const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
   Editor editor(complex, brep, in_zone, sizing, options);
   resample_curves(editor, complex, brep, sizing);
-  advance_front(editor);
-  relax_all(editor, kSweeps);
-  fit_to_size(editor);
-  relax_all(editor, 1);
+  in_each_sheet(editor, [](Editor& sheet) {
+    advance_front(sheet);
+    relax_all(sheet);
+  });
+  relax_curves(editor);
+  in_each_sheet(editor, [](Editor& sheet) {
+    relax_all(sheet);
+    fit_to_size(sheet);
+    relax_all(sheet);
+  });
   mend(editor, kComfortable);
-  relax_all(editor, 1);
+  relax_curves(editor);
+  in_each_sheet(editor, [](Editor& sheet) { relax_all(sheet); });
   mend(editor, options.min_quality + kMargin);
   return to_remeshed(editor, complex, brep, in_zone, groups);
 }

@@ -5,11 +5,14 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "cut.hpp"
 #include "geometry/quality.hpp"
+#include "remesh/sheets.hpp"
 
 namespace meshgraft {
 namespace {
@@ -29,8 +32,9 @@ struct Bench {
   std::vector<std::uint8_t> in_zone;
   Editor editor;
 
-  explicit Bench(double y0 = 0.97)
-      : scene(cut::crossing(kSize, kSize, 80, y0, 0.2, 0.1)),
+  explicit Bench(double y0 = 0.97) : Bench(cut::crossing(kSize, kSize, 80, y0, 0.2, 0.1)) {}
+  explicit Bench(Scene made)
+      : scene(std::move(made)),
         brep(read_brep(scene.complex, scene.junction_edges, {}, scene.groups)),
         in_zone(scene.complex.n_faces(), 1),
         editor(scene.complex, brep, in_zone, uniform(), {}) {}
@@ -133,6 +137,57 @@ TEST(Editor, AnySequenceOfStepsLeavesAValidMesh) {
     RC_LOG() << done << " steps done";
     RC_ASSERT(broken_law(b, before) == std::string());
   }));
+}
+
+/// Two sheets of n faces around a vertex each, on the same n corners and in one plane.
+Scene pillow(std::size_t n) {
+  ModelBuilder b;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+    b.add_node({std::cos(turn), std::sin(turn), 0});
+  }
+  const NodeId above = b.add_node({0.1, 0.05, 0}), below = b.add_node({-0.1, 0.02, 0});
+  for (std::size_t k = 0; k < n; ++k) {
+    b.add_face(NodeId(k), NodeId((k + 1) % n), above);
+    b.add_face(NodeId((k + 1) % n), NodeId(k), below);
+  }
+  Scene scene;
+  cut::add(scene, b.build(), 0);
+  return scene;
+}
+
+TEST(Sheets, StepsInAllSheetsAtOnceLeaveAValidMesh) {
+  EXPECT_TRUE(rc::check([] {
+    Bench b;
+    const auto before = areas(b);
+    std::vector<std::vector<std::size_t>> places(b.brep.sheets.size());
+    for (auto& of_sheet : places) of_sheet = *rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange(0, 300));
+    const auto some_steps = [&](Editor& sheet) {
+      for (const std::size_t place : places[sheet.mesh().face(FaceId(std::size_t{0})).sheet.value]) {
+        const LocalFace face = sheet.mesh().face(FaceId(place % sheet.mesh().n_faces()));
+        if (!face.alive) continue;
+        if (place % 2 == 0) sheet.remove(face.v[place % 3]);
+        if (place % 2 == 1 && !face.curve[place % 3].valid()) sheet.split(face.v[place % 3], face.v[(place + 1) % 3]);
+      }
+    };
+    in_each_sheet(b.editor, some_steps);
+    in_each_sheet(b.editor, some_steps);
+    RC_ASSERT(broken_law(b, before) == std::string());
+  }));
+}
+
+TEST(Sheets, TwoSheetsDoNotGetTheSameEdge) {
+  for (const std::size_t n : {5, 6, 7, 8}) {
+    Bench b(pillow(n));
+    ASSERT_EQ(b.brep.sheets.size(), 2u);
+    const auto before = areas(b);
+    in_each_sheet(b.editor, [&](Editor& sheet) {
+      for (std::size_t v = 0; v < sheet.mesh().n_vertices(); ++v) sheet.remove(VertexId(v));
+    });
+    EXPECT_EQ(broken_law(b, before), "");
+    const auto left = faces_of(b.editor.mesh());
+    EXPECT_LE(left.size(), 2 * n - 2) << "no sheet has been filled without its vertex";
+  }
 }
 
 TEST(Editor, UndoGivesBackEveryFaceAndPlace) {
