@@ -15,15 +15,17 @@ namespace {
 constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each side of the line
 constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
 
-std::size_t n_components(const Complex& complex) {
-  std::uint32_t last = 0;
-  for (const std::uint32_t c : complex.component) last = std::max(last, c);
-  return complex.component.empty() ? 0 : last + 1;
+/// Those of which no face is left count too: all of theirs lay on others.
+std::size_t n_components(const Corefined& corefined) {
+  std::size_t n = 0;
+  for (const std::uint32_t c : corefined.complex.component) n = std::max(n, std::size_t{c} + 1);
+  for (const auto& [a, b] : corefined.met) n = std::max(n, std::size_t{std::max(a, b)} + 1);
+  return n;
 }
 
 /// N of paper 5.4, by component.
 std::vector<int> automatic(const Corefined& corefined, const InputFaces& inputs) {
-  const std::size_t n = n_components(corefined.complex);
+  const std::size_t n = n_components(corefined);
   std::vector<double> sum(n, 0), count(n, 0);
   for (std::uint32_t i = 0; i < inputs.size(); ++i)
     if (inputs.touched(i)) sum[inputs.component(i)] += inputs.mean_edge_length(i), count[inputs.component(i)] += 1;
@@ -64,14 +66,14 @@ void spread(std::vector<int>& left, const InputFaces& inputs) {
 /// Nearest face of the zone, by component.
 class ZoneFaces {
  public:
-  ZoneFaces(const Complex& complex, const std::vector<std::uint8_t>& in_zone) : complex_(complex) {
-    std::vector<std::vector<Box>> boxes(n_components(complex));
+  ZoneFaces(const Corefined& corefined, const std::vector<std::uint8_t>& in_zone) : complex_(corefined.complex) {
+    std::vector<std::vector<Box>> boxes(n_components(corefined));
     faces_.resize(boxes.size());
-    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
       if (!in_zone[f]) continue;
-      faces_[complex.component[f]].emplace_back(f);
-      Box& box = boxes[complex.component[f]].emplace_back();
-      for (const Vec3 p : complex.corners(FaceId(f))) box.add(p);
+      faces_[complex_.component[f]].emplace_back(f);
+      Box& box = boxes[complex_.component[f]].emplace_back();
+      for (const Vec3 p : complex_.corners(FaceId(f))) box.add(p);
     }
     for (const auto& b : boxes) trees_.emplace_back(b);
   }
@@ -125,7 +127,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   std::vector<int> least;
   if (!bandwidth) least = automatic(corefined, inputs);
   Zone zone;
-  zone.bandwidth.assign(n_components(corefined.complex), 0);
+  zone.bandwidth.assign(n_components(corefined), 0);
   std::vector<int> left(inputs.size(), 0);  // by input face: neighbourhoods to take, itself counted
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {
     if (!inputs.touched(i)) continue;
@@ -147,7 +149,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
 bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places, int limit) {
   const InputFaces inputs(corefined);
   const std::vector<int> ring = inputs.rings(limit);
-  const ZoneFaces zone_faces(corefined.complex, zone.in_zone);
+  const ZoneFaces zone_faces(corefined, zone.in_zone);
   std::vector<std::uint8_t> taken(inputs.size(), 0);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
     if (zone.in_zone[f]) taken[inputs.of(FaceId(f))] = 1;

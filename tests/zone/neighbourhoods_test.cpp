@@ -60,6 +60,15 @@ std::vector<std::uint8_t> brute_force(const Corefined& c, int n) {
   return in;
 }
 
+TEST(Neighbourhoods, APartOfWhichNoFaceIsLeftChangesNothing) {
+  Scene s = two_plates();
+  const Zone without = neighbourhoods(s.corefined, s.brep, s.size, {});
+  s.corefined.met.push_back({0, 2}), s.corefined.met.push_back({1, 2});
+  const Zone with = neighbourhoods(s.corefined, s.brep, s.size, {});
+  EXPECT_EQ(with.in_zone, without.in_zone);
+  EXPECT_EQ(with.bandwidth, (std::vector{without.bandwidth[0], without.bandwidth[1], 0}));
+}
+
 TEST(Neighbourhoods, AGivenBandwidthIsTakenOnAllMeshes) {
   const Scene s = two_plates();
   for (const int n : {1, 2, 4}) {
