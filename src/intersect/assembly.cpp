@@ -2,14 +2,10 @@
 
 #include <algorithm>
 
+#include "core/distinct.hpp"
+
 namespace meshgraft {
 namespace {
-
-template <class T>
-void make_distinct(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// Node groups by component of one vertex become those of another.
 void copy_groups(const Complex& from, VertexId v, Complex& to, VertexId w) {

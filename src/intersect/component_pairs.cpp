@@ -2,17 +2,13 @@
 
 #include <algorithm>
 
+#include "core/distinct.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace meshgraft {
 namespace {
 
 constexpr double kReach = 3;  // snap lengths: two that count as near, and one by which a vertex may move
-
-void make_distinct(std::vector<FaceId>& faces) {
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-}
 
 std::size_t n_components(const Complex& complex) {
   const auto last = std::max_element(complex.component.begin(), complex.component.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/distinct.hpp"
 #include "intersect/overlap.hpp"
 
 namespace meshgraft {
@@ -42,8 +43,7 @@ struct Row {
 Row row_of(const Meeting& m, std::span<const Contact> at_pair) {
   Row row;
   for (const Contact& c : at_pair) row.vertices.push_back(m.symbols[c.symbol].vertex);
-  std::sort(row.vertices.begin(), row.vertices.end());
-  row.vertices.erase(std::unique(row.vertices.begin(), row.vertices.end()), row.vertices.end());
+  make_distinct(row.vertices);
   if (row.vertices.size() < 3) return row;
 
   VertexId from = row.vertices[0], to = row.vertices[1];
@@ -60,11 +60,6 @@ Row row_of(const Meeting& m, std::span<const Contact> at_pair) {
   for (const VertexId v : row.vertices)
     row.thickness = std::max(row.thickness, norm(cross(along, m.at(v) - m.at(from))));
   return row;
-}
-
-void make_distinct(std::vector<Imprint::Segment>& segments) {
-  std::sort(segments.begin(), segments.end());
-  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/distinct.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 
@@ -165,8 +166,7 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
   std::array<std::vector<FaceId>, 2> faces = beside;
   for (const std::size_t s : kSides) {
     for (const auto& p : pairs) faces[s].push_back(p[s]);
-    std::sort(faces[s].begin(), faces[s].end());
-    faces[s].erase(std::unique(faces[s].begin(), faces[s].end()), faces[s].end());
+    make_distinct(faces[s]);
   }
   Meeting m{complex,
             groups,

@@ -1,8 +1,9 @@
 #include "intersect/overlay.hpp"
 
 #include <algorithm>
-#include <numeric>
 
+#include "core/distinct.hpp"
+#include "core/union_find.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/flat_faces.hpp"
 #include "intersect/links.hpp"
@@ -13,43 +14,21 @@ namespace {
 
 std::array<VertexId, 2> edge_of(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
-template <class T>
-void make_distinct(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+/// Faces joined across edges that are not walls; the smallest position in `faces` stands for the region.
+UnionFind regions(const Complex& complex, std::span<const FaceId> faces,
+                  const std::vector<std::array<VertexId, 2>>& walls) {
+  std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> uses;
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const auto& v = complex.face[faces[i].value];
+    for (std::size_t k = 0; k < 3; ++k) uses.emplace_back(edge_of(v[k], v[(k + 1) % 3]), i);
+  }
+  std::ranges::sort(uses);
+  UnionFind joined(faces.size());
+  for (std::size_t i = 1; i < uses.size(); ++i)
+    if (uses[i].first == uses[i - 1].first && !std::ranges::binary_search(walls, uses[i].first))
+      joined.unite(uses[i - 1].second, uses[i].second);
+  return joined;
 }
-
-/// Faces joined across edges that are not walls.
-class Regions {
- public:
-  Regions(const Complex& complex, std::span<const FaceId> faces, const std::vector<std::array<VertexId, 2>>& walls)
-      : region_(faces.size()) {
-    std::iota(region_.begin(), region_.end(), 0u);
-    std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> uses;
-    for (std::uint32_t i = 0; i < faces.size(); ++i) {
-      const auto& v = complex.face[faces[i].value];
-      for (std::size_t k = 0; k < 3; ++k) uses.emplace_back(edge_of(v[k], v[(k + 1) % 3]), i);
-    }
-    std::sort(uses.begin(), uses.end());
-    for (std::size_t i = 1; i < uses.size(); ++i)
-      if (uses[i].first == uses[i - 1].first && !std::binary_search(walls.begin(), walls.end(), uses[i].first))
-        unite(uses[i - 1].second, uses[i].second);
-    for (std::uint32_t i = 0; i < region_.size(); ++i) region_[i] = root(i);
-  }
-  /// By position in `faces`; the smallest position stands for the region.
-  [[nodiscard]] std::uint32_t operator[](std::size_t i) const { return region_[i]; }
-
- private:
-  std::uint32_t root(std::uint32_t i) {
-    while (region_[i] != i) i = region_[i] = region_[region_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    region_[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::uint32_t> region_;
-};
 
 class Overlayer {
  public:
@@ -214,16 +193,16 @@ class Overlayer {
 
   /// A region lies on `cover` if most of its area does.
   void classify(const LyingMeeting& l, std::size_t s, const Cover& cover, Pieces& p) const {
-    const Regions regions(complex_, p.faces, l.walls);
+    UnionFind region = regions(complex_, p.faces, l.walls);
     std::vector<double> vote(p.size(), 0);
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
       const Triangle t = chart_triangle(l, s, p.faces[i]);
       const LocalFace from = l.meeting.side[s].find(marks_.from[p.faces[i].value]);
       const Vec3 n = unit_normal(l.triangle(s, from));
-      vote[regions[i]] += cover.covers(middle(l, s, p.faces[i]), n, rule_) ? area(t) : -area(t);
+      vote[region.find(i)] += cover.covers(middle(l, s, p.faces[i]), n, rule_) ? area(t) : -area(t);
     }
     p.covered.resize(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) p.covered[i] = vote[regions[i]] > 0;
+    for (std::uint32_t i = 0; i < p.size(); ++i) p.covered[i] = vote[region.find(i)] > 0;
   }
 
   void take_out(const LyingMeeting& l) {

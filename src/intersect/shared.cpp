@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <span>
 
+#include "core/distinct.hpp"
+
 namespace meshgraft {
 namespace {
-
-template <class T>
-void make_distinct(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// Calls f(vertex, components) for each vertex that components have which are joined. `uses`: ascending.
 template <class F>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/distinct.hpp"
 #include "geometry/predicates.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/lying.hpp"
@@ -20,8 +21,7 @@ class Tracer {
         if (l_.imprinted_edge[s][e])
           if (auto fault = trace_edge(s, e)) return fault;
     }
-    std::sort(l_.walls.begin(), l_.walls.end());
-    l_.walls.erase(std::unique(l_.walls.begin(), l_.walls.end()), l_.walls.end());
+    make_distinct(l_.walls);
     return std::nullopt;
   }
 
