@@ -21,7 +21,14 @@ enum class Overlap {
   kProject,   // two layers on the same nodes, each with its own groups and attributes
 };
 
-enum class Method { kAdaptive };
+/// How the zone is filled.
+enum class Method {
+  kAdaptive,  // the faces that were there, cut along the junction, are improved step by step
+  kPaper,     // deleted and filled anew (paper 5.3 to 5.6)
+};
+
+/// How an area that was filled anew meets its surroundings (paper 5.6).
+enum class Blend { kPosition, kTangency, kCurvature };
 
 /// A length given as such or as a share of the local edge length.
 struct Tolerance {
@@ -40,6 +47,7 @@ struct MergeOptions {
   Mode mode = Mode::kAuto;
   Method method = Method::kAdaptive;
   Overlap overlap = Overlap::kFuse;
+  Blend blend = Blend::kTangency;  // of curved areas, with Method::kPaper
 
   /// Faces meeting at less than this are in contact (paper 2.4). Radians, in (0, pi/2).
   double contact_angle = 20.0 / 180.0 * std::numbers::pi;

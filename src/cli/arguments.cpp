@@ -26,18 +26,19 @@ Result<double> angle(const Typed& typed) {
 Result<Mode> mode(const Typed& typed) {
   static const std::vector<std::string> kNames{"auto", "face-edge", "face-face"};
   static constexpr std::array kModes{Mode::kAuto, Mode::kFaceEdge, Mode::kFaceFace};
-  return choice(typed, kNames, {}).map([](std::size_t k) { return kModes[k]; });
+  return choice(typed, kNames).map([](std::size_t k) { return kModes[k]; });
 }
 
 Result<Overlap> overlap(const Typed& typed) {
   static const std::vector<std::string> kNames{"fuse", "keep-base", "keep-part", "project"};
   static constexpr std::array kOverlaps{Overlap::kFuse, Overlap::kKeepBase, Overlap::kKeepPart, Overlap::kProject};
-  return choice(typed, kNames, {}).map([](std::size_t k) { return kOverlaps[k]; });
+  return choice(typed, kNames).map([](std::size_t k) { return kOverlaps[k]; });
 }
 
 Result<Method> method(const Typed& typed) {
-  static const std::vector<std::string> kNames{"adaptive"}, kLater{"paper"};
-  return choice(typed, kNames, kLater).map([](std::size_t) { return Method::kAdaptive; });
+  static const std::vector<std::string> kNames{"adaptive", "paper"};
+  static constexpr std::array kMethods{Method::kAdaptive, Method::kPaper};
+  return choice(typed, kNames).map([](std::size_t k) { return kMethods[k]; });
 }
 
 class MergeCommand : public CommandReader<MergeArguments> {
@@ -56,7 +57,10 @@ class MergeCommand : public CommandReader<MergeArguments> {
     a_.value("--overlap", "KIND",
              "where faces lie on each other: fuse (one layer in the groups of both), keep-base or keep-part (the other "
              "side's faces go), project (two layers on the same nodes) [default: fuse]");
-    a_.value("--method", "METHOD", "how the zone is filled: adaptive [default: adaptive]");
+    a_.value("--method", "METHOD",
+             "how the zone is filled: adaptive (the mesh that was there, improved) or paper (deleted, filled, refined, "
+             "deformed) [default: adaptive]");
+    add_blend_option(a_, "; with --method paper");
     a_.value("--angle", "DEG", "faces that meet at less than this lie on each other; degrees [default: 20]");
     a_.value("--trim", "beyond=LEN|none",
              "loose ends of parts that stick out beyond the junction by less than LEN are dropped; file units "
@@ -67,20 +71,13 @@ class MergeCommand : public CommandReader<MergeArguments> {
                      out_);
     a_.flag("--allow-apart", out_.options.allow_apart, "add parts that meet nothing, unjoined [default: no]");
     common_.add(a_, "no progress and no summary; errors and warnings stay", "also timings and groups that changed");
-    for (const auto& [name, reason] : kNotInThisVersion) a_.value(name, "NAME", reason)->group(kHidden);
   }
 
  private:
   Result<void> read_own() override {
-    for (const auto& [name, reason] : kNotInThisVersion)
-      if (a_.typed(name)) return failure(ErrorCode::kUsage, fmt::format("{} is {}", name, reason), a_.see_help());
     if (out_.base.empty()) return a_.missing("BASE, the mesh to graft onto,");
     return read_options();
   }
-
-  /// Options of the method that this version refuses: an option is honoured or an error.
-  static constexpr std::pair<const char*, const char*> kNotInThisVersion[] = {
-      {"--blend", "not in this version of meshgraft: new nodes lie on the surfaces of the inputs"}};
 
   Result<void> read_options() {
     MergeOptions& o = out_.options;
@@ -88,6 +85,11 @@ class MergeCommand : public CommandReader<MergeArguments> {
     if (done) done = store(a_, "--mode", mode, o.mode);
     if (done) done = store(a_, "--overlap", overlap, o.overlap);
     if (done) done = store(a_, "--method", method, o.method);
+    if (done) done = store(a_, "--blend", blend, o.blend);
+    if (done && a_.typed("--blend") && o.method != Method::kPaper)
+      return failure(ErrorCode::kUsage,
+                     "--blend needs --method paper: the adaptive method leaves new nodes on the surface that was there",
+                     a_.see_help());
     if (done) done = store(a_, "--angle", angle, o.contact_angle);
     if (done) done = store(a_, "--trim", trim, o.trim);
     for (const std::string& names : joins_) {

@@ -15,7 +15,6 @@ namespace meshgraft::cli {
 
 inline constexpr int kMostThreads = 1024;
 inline constexpr const char* kNamesFollow = "--";  // what stands after it is a name, even with a dash in front
-inline constexpr const char* kHidden = "";         // the option group that --help does not show
 
 /// One command: CLI11 cuts the arguments into options and names; values are judged here, so that
 /// every message is ours. Values are kept as typed until asked for.
@@ -61,7 +60,6 @@ class Arguments {
   [[nodiscard]] std::vector<std::string> option_names() const {
     std::vector<std::string> names;
     for (const CLI::Option* option : app_.get_options()) {
-      if (option->get_group() == kHidden) continue;
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     return names;

@@ -119,12 +119,10 @@ Result<JoinedGroups> joined_groups(const Typed& typed) {
   return JoinedGroups{typed.text.substr(0, colon), typed.text.substr(colon + 1)};
 }
 
-Result<std::size_t> choice(const Typed& typed, std::span<const std::string> names, std::span<const std::string> later) {
+Result<std::size_t> choice(const Typed& typed, std::span<const std::string> names) {
   const auto found = std::ranges::find(names, typed.text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const std::string allowed = fmt::format("{}", fmt::join(names, " or "));
-  if (std::ranges::find(later, typed.text) != later.end())
-    return wrong_value(typed, "is not in this version of meshgraft", allowed);
   const auto near = nearest(typed.text, names);
   return wrong_value(typed, near ? fmt::format("is not known; did you mean '{}'?", *near) : "is not known", allowed);
 }

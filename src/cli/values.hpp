@@ -47,10 +47,8 @@ struct Range {
 /// `A:B`, two names of groups. Errors (kUsage): no colon or several, an empty name.
 [[nodiscard]] Result<JoinedGroups> joined_groups(const Typed& typed);
 
-/// One of a few names. Those of `later` exist in the method but not in this version, and are refused
-/// with these words.
+/// One of a few names.
 ///   returns   position in `names`
-[[nodiscard]] Result<std::size_t> choice(const Typed& typed, std::span<const std::string> names,
-                                         std::span<const std::string> later);
+[[nodiscard]] Result<std::size_t> choice(const Typed& typed, std::span<const std::string> names);
 
 }  // namespace meshgraft::cli

@@ -1,5 +1,7 @@
 #include "cli/zone_options.hpp"
 
+#include <array>
+
 namespace meshgraft::cli {
 namespace {
 
@@ -9,6 +11,18 @@ constexpr double kHighestMinQuality = 0.9;  // a sheet of triangles all better t
 
 Result<double> quality(const Typed& typed) {
   return number_in(typed, {.low = 0, .high = kHighestMinQuality, .allowed = "an aspect ratio Q from 0 to 0.9"});
+}
+
+Result<Blend> blend(const Typed& typed) {
+  static const std::vector<std::string> kNames{"position", "tangency", "curvature"};
+  static constexpr std::array kBlends{Blend::kPosition, Blend::kTangency, Blend::kCurvature};
+  return choice(typed, kNames).map([](std::size_t k) { return kBlends[k]; });
+}
+
+void add_blend_option(Arguments& a, const std::string& when) {
+  a.value("--blend", "CONTINUITY",
+          "how filled curved areas meet their surroundings: position, tangency or curvature" + when +
+              " [default: tangency]");
 }
 
 void add_output_options(Arguments& a) {

@@ -8,8 +8,13 @@ namespace meshgraft::cli {
 /// A worst Q to be reached or reported.
 [[nodiscard]] Result<double> quality(const Typed& typed);
 
+/// The continuity of a deformed area with its surroundings.
+[[nodiscard]] Result<Blend> blend(const Typed& typed);
+
 /// Where the result goes.
 void add_output_options(Arguments& a);
+/// `when`: what the option depends on, or nothing.
+void add_blend_option(Arguments& a, const std::string& when);
 /// How the zone is remeshed, and whether a result that breaks a promise is written.
 void add_zone_options(Arguments& a, const std::string& tolerance_help, MergeArguments& out);
 /// Stores the values of all of them. Error kUsage if there is no output.

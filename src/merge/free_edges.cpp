@@ -76,16 +76,28 @@ std::vector<NodePair> keys(const Complex& complex, std::span<const EdgeUse> edge
   return all;
 }
 
-/// Vertices of the original complex whose nodes are at changed vertices of the final one, or are gone.
-std::vector<std::uint8_t> changed_before(const Outcome& outcome, std::span<const std::uint8_t> changed) {
+/// Nodes at vertices of the final complex that did not change, ascending.
+std::vector<NodeRef> unchanged_nodes(const Outcome& outcome, std::span<const std::uint8_t> changed) {
   std::vector<NodeRef> unchanged;
   for (std::size_t v = 0; v < changed.size(); ++v)
     if (changed[v] == 0) unchanged.push_back(outcome.stitched.node[v]);
   std::sort(unchanged.begin(), unchanged.end());
+  return unchanged;
+}
+
+/// Vertices of the original complex whose nodes are at changed vertices of the final one, or are gone.
+std::vector<std::uint8_t> changed_before(const Outcome& outcome, std::span<const NodeRef> unchanged) {
   std::vector<std::uint8_t> marked(outcome.original.n_vertices());
   for (std::size_t v = 0; v < marked.size(); ++v)
     marked[v] = std::ranges::binary_search(unchanged, outcome.original.node[v]) ? 0 : 1;
   return marked;
+}
+
+/// The node, or the one that it became one with.
+NodeRef heir(const Outcome& outcome, NodeRef n) {
+  const auto& replaced = outcome.corefined.replaced;
+  const auto it = std::ranges::lower_bound(replaced, n, {}, &Corefined::Replaced::node);
+  return it != replaced.end() && it->node == n ? outcome.corefined.complex.node[it->by.value] : n;
 }
 
 /// A face that lay on another mesh and was deleted, or that another one stands for now, has left its
@@ -99,7 +111,8 @@ bool went_with_its_face(const Outcome& outcome, ElementRef face) {
 FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance, double max_distance) {
   const Complex &before = outcome.original, &after = outcome.final_complex;
   const std::vector<std::uint8_t> changed = changed_vertices(outcome);
-  const std::vector<EdgeUse> old_edges = free_edges(before, changed_before(outcome, changed));
+  const std::vector<NodeRef> unchanged = unchanged_nodes(outcome, changed);
+  const std::vector<EdgeUse> old_edges = free_edges(before, changed_before(outcome, unchanged));
   const std::vector<EdgeUse> new_edges = free_edges(after, changed);
   const std::vector<NodePair> old_keys = keys(before, old_edges), new_keys = keys(after, new_edges);
 
@@ -118,11 +131,16 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
     const double input_length = mean_edge_length(outcome.inputs[parent.input]->corners(parent.element));
     return segments.cover(s, std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length)));
   };
+  // An edge whose ends became one with others, where nothing else changed.
+  const auto is_there = [&](const EdgeUse& e) {
+    return std::ranges::all_of(key(before, e),
+                               [&](NodeRef n) { return std::ranges::binary_search(unchanged, heir(outcome, n)); });
+  };
   FreeEdgeChanges changes;
   for (const EdgeUse& e : new_edges)
     if (!matches(after, e, segment(after, e.low, e.high), old_keys, was_free)) changes.cracks.push_back(e);
   for (const EdgeUse& e : old_edges)
-    if (!matches(before, e, moved_segment(outcome, e), new_keys, is_free) &&
+    if (!matches(before, e, moved_segment(outcome, e), new_keys, is_free) && !is_there(e) &&
         !went_with_its_face(outcome, before.parent[e.face.value]))
       changes.closed.push_back(e);
   return changes;

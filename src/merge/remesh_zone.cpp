@@ -7,6 +7,8 @@
 
 #include "geometry/quality.hpp"
 #include "merge/quality_summary.hpp"
+#include "patch/paper_method.hpp"
+#include "patch/paper_zone.hpp"
 #include "zone/brep.hpp"
 #include "zone/neighbourhoods.hpp"
 #include "zone/size_field.hpp"
@@ -92,6 +94,11 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   RemeshOptions remesh_options;
   remesh_options.min_quality = options.min_quality;
 
+  if (options.method == Method::kPaper) {
+    const Zone zone =
+        options.bandwidth ? neighbourhoods(corefined, brep, size, options.bandwidth) : paper_zone(corefined);
+    return {remesh_by_paper(complex, brep, size, zone.in_zone, groups, options.blend, remesh_options), zone.bandwidth};
+  }
   const auto attempt = [&](Zone zone) {
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
     return Attempt{std::move(zone), std::move(remeshed)};

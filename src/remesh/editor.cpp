@@ -271,6 +271,17 @@ std::optional<VertexId> Editor::insert(FaceId f, const Foot& at) {
   return id;
 }
 
+void Editor::replace(std::span<const FaceId> faces, std::span<const LocalFace> by) {
+  for (const FaceId f : faces) mesh_.remove_face(f);
+  for (const LocalFace& f : by) mesh_.add_face(f);
+}
+
+void Editor::put(VertexId v, Vec3 p) {
+  LocalVertex to = mesh_.vertex(v);
+  to.position = p, to.beneath = reference_.project(to.sheet, p, to.beneath).face, to.size = 0;
+  mesh_.set_vertex(v, to);
+}
+
 std::optional<double> Editor::middle_arc(VertexId a, VertexId b, CurveId curve) const {
   for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
     if (mesh_.vertex(v).curve != curve) continue;

@@ -60,6 +60,10 @@ class Editor {
   std::optional<VertexId> split(VertexId a, VertexId b);
   /// Puts a vertex at an arc length on the edge a b of a curve; the place must lie on that edge.
   std::optional<VertexId> split_curve(VertexId a, VertexId b, CurveId curve, double arc);
+  /// Replaces faces by others with the same boundary, unchecked.
+  void replace(std::span<const FaceId> faces, std::span<const LocalFace> by);
+  /// Puts a vertex of a sheet at a point, on its surface or not, unchecked.
+  void put(VertexId v, Vec3 p);
   /// Moves a vertex in its sheet or along its curve to where its faces cost least.
   bool relax(VertexId v);
   /// The same, but for the best worst face.

@@ -38,9 +38,7 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
 
 Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
                 const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
-  const Sizing sizing{[&](SheetId s, Vec3 p) { return size.at(s, p); },
-                      [&](CurveId c, Vec3 p) { return size.on_curve(c, p); }};
-  return remesh(complex, brep, sizing, in_zone, groups, options);
+  return remesh(complex, brep, sizing_of(size), in_zone, groups, options);
 }
 
 }  // namespace meshgraft

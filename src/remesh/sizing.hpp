@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "zone/brep.hpp"
+#include "zone/size_field.hpp"
 
 namespace meshgraft {
 
@@ -12,5 +13,10 @@ struct Sizing {
   std::function<double(SheetId, Vec3)> in_sheet;
   std::function<double(CurveId, Vec3)> on_curve;  // agrees between all sheets at the curve
 };
+
+/// The answers of a size field, which must outlive it.
+[[nodiscard]] inline Sizing sizing_of(const SizeField& size) {
+  return {[&](SheetId s, Vec3 p) { return size.at(s, p); }, [&](CurveId c, Vec3 p) { return size.on_curve(c, p); }};
+}
 
 }  // namespace meshgraft

@@ -19,9 +19,9 @@ TEST(Help, SaysTheDefaultOfEveryOptionOfMerge) {
   const Outcome outcome = folder.run({"merge", "--help"});
   EXPECT_EQ(outcome.code, 0);
   const std::vector<std::pair<std::string, std::string>> defaults{
-      {"--report", "none"},   {"--mode", "auto"},      {"--method", "adaptive"},  {"--angle", "20"},
-      {"--size", "auto"},     {"--tolerance", "1%"},   {"--bandwidth", "auto"},   {"--min-quality", "0.5"},
-      {"--allow-poor", "no"}, {"--allow-apart", "no"}, {"--threads", "all cores"}};
+      {"--report", "none"},     {"--mode", "auto"},     {"--method", "adaptive"}, {"--blend", "tangency"},
+      {"--angle", "20"},        {"--size", "auto"},     {"--tolerance", "1%"},    {"--bandwidth", "auto"},
+      {"--min-quality", "0.5"}, {"--allow-poor", "no"}, {"--allow-apart", "no"},  {"--threads", "all cores"}};
   for (const auto& [option, value] : defaults) {
     const std::size_t at = outcome.out.find("\n  " + option);
     ASSERT_NE(at, std::string::npos) << option;

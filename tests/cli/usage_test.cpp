@@ -86,9 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"ManyThreads", merge_with({"--threads", "99999999999"}), {"'99999999999'"}},
         Wrong{"MistypedMode", merge_with({"--mode", "face-egde"}), {"'face-egde'", "did you mean 'face-edge'?"}},
         Wrong{"UnknownMethod", merge_with({"--method", "magic"}), {"'magic' is not known", "adaptive"}},
-        Wrong{"MethodOfALaterVersion", merge_with({"--method", "paper"}), {"'paper' is not in this version"}},
         Wrong{"Overlap", merge_with({"--overlap", "glue"}), {"'glue'", "fuse", "project"}},
-        Wrong{"Blend", merge_with({"--blend", "tangency"}), {"--blend is not in this version"}},
+        Wrong{"Blend", merge_with({"--blend", "tangency"}), {"--blend needs --method paper"}},
         Wrong{"FormatNotWritten", {"merge", "a", "b", "-o", "out.med"}, {"'.med'", "universal file (.unv, .uff)"}},
         Wrong{"FormatNotConverted", {"convert", "a.unv", "b.inp"}, {"'.inp'", "universal file (.unv, .uff)"}}),
     [](const auto& tested) { return tested.param.name; });

@@ -149,6 +149,21 @@ TEST(FillPolygon, SecondWorstFaceCountsToo) {
   EXPECT_EQ(fill_polygon(p.ids, rules)->scores, *best_of_all(p, rules, 0, 5));
 }
 
+TEST(FillPolygon, AFewScoresAreTheBestOfThoseFew) {
+  EXPECT_TRUE(rc::check([] {
+    const Polygon p = random_polygon();
+    FillRules rules = rules_of(p);
+    const auto all = fill_polygon(p.ids, rules);
+    rules.depth = *rc::gen::inRange<std::size_t>(1, 5);
+    const auto few = fill_polygon(p.ids, rules);
+    RC_ASSERT(all.has_value() == few.has_value());
+    if (!all) return;
+    const std::size_t n = std::min(rules.depth, all->scores.size());
+    RC_ASSERT(std::equal(all->scores.begin(), all->scores.begin() + static_cast<std::ptrdiff_t>(n), few->scores.begin(),
+                         [](double a, double b) { return std::abs(a - b) < 1e-12; }));
+  }));
+}
+
 TEST(FillPolygon, NothingWithoutAnAllowedTriangulation) {
   Polygon p;
   p.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

@@ -1,0 +1,25 @@
+// Deformation of the filled areas of a working mesh.
+#pragma once
+
+#include "meshgraft/options.hpp"
+#include "remesh/editor.hpp"
+
+namespace meshgraft {
+
+struct BlendOptions {
+  Blend blend = Blend::kTangency;
+  /// Curves whose sides are folded less than this are crossed: the surface goes on beyond them. Radians.
+  double smooth_angle = BrepOptions{}.sharp_angle;
+  /// Faces in the zone continue those outside of it whatever the angle between them.
+  bool rim_is_smooth = false;
+};
+
+/// Moves the new vertices inside filled curved sheets to where they continue the surroundings (see deformed()): the
+/// faces outside the zone, and vertices on curves, which stay. Sheets of one component that lie on either side of a
+/// curve without a fold are one area.
+///
+///   filled   by sheet: whether its faces were filled anew
+void blend_filled(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled,
+                  const BlendOptions& options);
+
+}  // namespace meshgraft

@@ -1,0 +1,44 @@
+// Shape of a filled area that continues its surroundings (paper 5.6).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meshgraft/options.hpp"
+#include "meshgraft/vec3.hpp"
+
+namespace meshgraft {
+
+/// A smooth piece of mesh, some of whose nodes may move.
+struct DeformProblem {
+  std::vector<Vec3> position;                       // n
+  std::vector<std::array<std::uint32_t, 3>> faces;  // of the area and of at least three rings around it
+  std::vector<std::uint8_t> is_free;                // n
+};
+
+struct DeformOptions {
+  int most_rounds = 12;         // each linear solve starts from the shape of the last one
+  double settled = 1e-4;        // share of the mean edge length: moves below it end the rounds
+  double least_quality = 0.05;  // Q that no face may fall below if it was above; moves are shortened for that
+};
+
+/// The positions of all nodes with the free ones moved to where, with x the position as a function on the surface,
+///
+///   position    laplace x = 0              the membrane; its edge meets the surroundings
+///   tangency    laplace^2 x = 0            with the tangent planes of the surroundings, too
+///   curvature   laplace^3 x = 0            and with their curvatures
+///
+/// holds at each free node. After Pernot et al. 2006 in aim, a linear system over the new nodes with the surroundings
+/// as data, not in the mechanical model.
+///
+/// The inner operator is the Laplacian of the cubic that fits two rings of nodes best, the outer ones have
+/// cotangent weights: of any tangent frame, surfaces of third degree are reproduced. Where a smooth surface is cut
+/// out over a fixed number of edges of length h, the distance from it falls like h^2, h^3 or faster, h^4 or faster, the
+/// deviation of the normals with one order less.
+///
+/// Cost: a sparse factorisation per round. If a system is singular or a move would turn faces over, what has been
+/// reached by then is returned.
+[[nodiscard]] std::vector<Vec3> deformed(const DeformProblem& problem, Blend blend, const DeformOptions& options = {});
+
+}  // namespace meshgraft

@@ -1,0 +1,54 @@
+// The paper's method as a whole, by way of merges.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "meshgraft/check.hpp"
+#include "meshgraft/merge.hpp"
+#include "support/catalogue.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// Scenes in which parts cross or touch the base; the paper gives no way for those that lie on each other.
+const std::vector<scenes::Merge>& all_scenes() {
+  static const std::vector<scenes::Merge> all = scenes::catalogue();
+  return all;
+}
+
+class PaperMethod : public testing::TestWithParam<std::size_t> {};
+
+/// The poor quality of single faces is the method's own; everything else must hold as for every merge.
+std::vector<std::string> promises_beside_quality(const Report& report) {
+  std::vector<std::string> broken;
+  for (const Error& e : report.broken_promises)
+    if (e.what.find("Q below") == std::string::npos) broken.push_back(to_string(e));
+  return broken;
+}
+
+TEST_P(PaperMethod, GivesASoundMeshWithAllGroups) {
+  const scenes::Merge& scene = all_scenes()[GetParam()];
+  if (scene.apart) return;
+  MergeOptions options = scene.options;
+  options.method = Method::kPaper;
+  const auto merged = merge(scene.base, scene.parts, options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_EQ(promises_beside_quality(merged->report), std::vector<std::string>{});
+  const Model result = apply(scene.base, scene.parts, *merged);
+  EXPECT_TRUE(check(result).sound());
+  EXPECT_EQ(check(result).n_orphan_nodes, 0u);
+  EXPECT_EQ(check(result).n_coincident_nodes, 0u);
+  const bool missed = merged->report.quality.below > 0;
+  EXPECT_EQ(missed, merged->report.quality.min < options.min_quality);
+
+  const auto again = merge(scene.base, scene.parts, options);
+  const auto same = [](const NewElement& a, const NewElement& b) { return a.nodes == b.nodes && a.parent == b.parent; };
+  EXPECT_TRUE(std::ranges::equal(merged->graft.new_elements, again->graft.new_elements, same));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PaperMethod, testing::Range(std::size_t{0}, all_scenes().size()),
+                         [](const auto& scene) { return all_scenes()[scene.param].name; });
+
+}  // namespace
+}  // namespace meshgraft
