@@ -278,7 +278,7 @@ void Editor::replace(std::span<const FaceId> faces, std::span<const LocalFace> b
 
 void Editor::put(VertexId v, Vec3 p) {
   LocalVertex to = mesh_.vertex(v);
-  to.position = p, to.beneath = reference_.project(to.sheet, p, to.beneath).face, to.size = 0;
+  to.position = p, to.beneath = reference_->project(to.sheet, p, to.beneath).face, to.size = 0;
   mesh_.set_vertex(v, to);
 }
 
