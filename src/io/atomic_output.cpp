@@ -88,7 +88,7 @@ Result<void> AtomicOutput::write(std::span<const std::string_view> pieces) {
   // Bytes at once. For larger writes the system looks for larger pieces of memory, which it was longer ago that
   // anything used; up to ten times slower was measured.
   constexpr std::size_t kLargest = std::size_t{1} << 17;
-  std::size_t next = 0, done = 0;                         // bytes of pieces[next] already written
+  std::size_t next = 0, done = 0;  // bytes of pieces[next] already written
   while (next < pieces.size()) {
     std::array<iovec, kBatch> batch;
     std::size_t n = 0, bytes = 0;

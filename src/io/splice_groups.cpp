@@ -40,9 +40,34 @@ class LabelSet {
 /// Labels of removed entities of one input.
 struct Removed {
   LabelSet nodes, elements;
-  [[nodiscard]] bool contains(const Entity& e) const {
-    return (e.code == kNodeCode && nodes.contains(e.tag)) || (e.code == kElementCode && elements.contains(e.tag));
+  /// The set for entities of a code, null if none of these is ever removed.
+  [[nodiscard]] const LabelSet* of(std::int64_t code) const {
+    return code == kNodeCode ? &nodes : code == kElementCode ? &elements : nullptr;
   }
+  [[nodiscard]] bool contains(const Entity& e) const {
+    const LabelSet* labels = of(e.code);
+    return labels != nullptr && labels->contains(e.tag);
+  }
+};
+
+/// The same for entities in columns, of which most have the code of the one before.
+class RemovedColumns {
+ public:
+  explicit RemovedColumns(const Removed& removed) : removed_(removed) {}
+  bool contain(const char* columns) {
+    if (like_ == nullptr || !same_fields(columns, like_)) {
+      std::int64_t code = 0;
+      fast_integer(columns, code);
+      like_ = columns, labels_ = removed_.of(code);
+    }
+    std::int64_t tag = 0;
+    return labels_ != nullptr && fast_integer(columns + kIntegerWidth, tag) && labels_->contains(tag);
+  }
+
+ private:
+  const Removed& removed_;
+  const char* like_ = nullptr;  // columns of an entity with this code
+  const LabelSet* labels_ = nullptr;
 };
 
 template <class Id>
@@ -198,12 +223,6 @@ class GroupSplicer {
         runs.push_back(line);
     }
   };
-  /// Code and tag of an entity in columns.
-  static Entity entity_at(const char* columns) {
-    Entity e;
-    fast_integer(columns, e.code), fast_integer(columns + kIntegerWidth, e.tag);
-    return e;
-  }
   [[nodiscard]] Kept kept_lines(const MergedGroup::From& from) {
     const Document& d = s_.base();
     const GroupPlace& place = d.groups[from.group.value];
@@ -215,18 +234,18 @@ class GroupSplicer {
     kept.any = true;
     const std::size_t per_line = entities_per_line(place.layout), width = place.layout.entity_size * kIntegerWidth;
     const std::size_t line = per_line * width + d.line_end.size();
+    RemovedColumns removed(removed_[0]);
     for (std::uint64_t done = 0; done < group.count; done += per_line) {
       const std::string_view text = d.text().substr(group.entities + done / per_line * line, line);
       const std::size_t n = std::min<std::uint64_t>(per_line, group.count - done);
-      bool stays = n == per_line;
-      for (std::size_t k = 0; k < n; ++k) stays = stays && !removed_[0].contains(entity_at(text.data() + k * width));
-      if (stays) {
+      std::size_t n_staying = 0;
+      for (std::size_t k = 0; k < n; ++k) n_staying += removed.contain(text.data() + k * width) ? 0 : 1;
+      if (n_staying == per_line) {
         kept.add_line(text, n);
         continue;
       }
       for (std::size_t k = 0; k < n; ++k)
-        if (!removed_[0].contains(entity_at(text.data() + k * width)))
-          kept.loose.push_back(text.substr(k * width, width));
+        if (!removed.contain(text.data() + k * width)) kept.loose.push_back(text.substr(k * width, width));
     }
     return kept;
   }
@@ -367,7 +386,9 @@ class GroupSplicer {
     const std::size_t per_line = entities_per_line(layout), width = layout.entity_size * kIntegerWidth;
     std::size_t at = group.entities;
     for (std::uint64_t i = 0; i < group.count; ++i) {
-      Entity e = entity_at(d.lines.text.data() + at);
+      const char* field = d.lines.text.data() + at;
+      Entity e;
+      fast_integer(field, e.code), fast_integer(field + kIntegerWidth, e.tag);
       // The reader made sure that nodes and elements have zeros here.
       if (layout.entity_size == 4 && e.code != kNodeCode && e.code != kElementCode) {
         std::vector<std::int64_t> values;

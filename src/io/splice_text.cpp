@@ -88,10 +88,9 @@ TextEdits::Output TextEdits::apply(std::string_view base) {
 }
 
 void set_column(std::string& line, std::size_t index, std::int64_t value) {
-  std::string field;
-  append_integer(value, field);
   if (line.size() < (index + 1) * kIntegerWidth) line.resize((index + 1) * kIntegerWidth, ' ');
-  line.replace(index * kIntegerWidth, kIntegerWidth, field);
+  const IntegerField field(value);
+  line.replace(index * kIntegerWidth, kIntegerWidth, field.text());
 }
 
 void append_lines(const LineScanner& lines, std::size_t begin, std::size_t end, std::string_view line_end,

@@ -4,7 +4,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace meshgraft::unv {
 namespace {
@@ -81,19 +80,20 @@ void Document::find_line_ends() {
 }
 
 std::uint64_t Document::line_of(std::uint64_t offset) const {
-  std::call_once(counted_, [this] {
-    lines_before_.resize((text_.size() + kBlock - 1) / kBlock);
+  offset = std::min<std::uint64_t>(offset, text_.size());
+  const std::size_t block = offset / kBlock;
+  const std::lock_guard lock(counting_);
+  const std::size_t known = lines_before_.size();
+  if (block >= known) {
+    lines_before_.resize(block + 1);
     // Isolated: a task taken up meanwhile could ask for a line, and wait here for itself.
-    tbb::this_task_arena::isolate([this] {
-      tbb::parallel_for(std::size_t{0}, lines_before_.size(), [this](std::size_t block) {
-        lines_before_[block] = count_of(lines.terminator, text_.substr(block * kBlock, kBlock));
+    tbb::this_task_arena::isolate([&] {
+      tbb::parallel_for(std::max<std::size_t>(known, 1), block + 1, [&](std::size_t k) {
+        lines_before_[k] = count_of(lines.terminator, text_.substr((k - 1) * kBlock, kBlock));
       });
     });
-    std::exclusive_scan(lines_before_.begin(), lines_before_.end(), lines_before_.begin(), std::uint64_t{0});
-  });
-  offset = std::min<std::uint64_t>(offset, text_.size());
-  if (lines_before_.empty()) return 1;
-  const std::size_t block = std::min<std::size_t>(offset / kBlock, lines_before_.size() - 1);
+    for (std::size_t k = std::max<std::size_t>(known, 1); k <= block; ++k) lines_before_[k] += lines_before_[k - 1];
+  }
   return 1 + lines_before_[block] + count_of(lines.terminator, text_.substr(block * kBlock, offset - block * kBlock));
 }
 

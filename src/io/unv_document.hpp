@@ -104,8 +104,8 @@ class Document final : public Source {
   std::string owned_;
   std::string_view text_;
   std::string path_;
-  mutable std::once_flag counted_;
-  mutable std::vector<std::uint64_t> lines_before_;  // by block of the text
+  mutable std::mutex counting_;
+  mutable std::vector<std::uint64_t> lines_before_;  // by block of the text, as far as it was asked for
 };
 
 }  // namespace meshgraft::unv

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <unordered_map>
 
 #include "io/unv_element_columns.hpp"
@@ -61,7 +62,15 @@ struct Piece {
   AttributesTable table;
   Findings findings;
   std::optional<Fault> fault;
+
+  /// As new, but with its memory.
+  void clear() {
+    label.clear(), attributes.clear(), n_nodes.clear(), place.clear(), nodes.clear(), orientation.clear();
+    table = AttributesTable(), findings = Findings(), fault.reset();
+  }
 };
+
+constexpr std::size_t kTriangleBytes = 90;  // of its record
 
 /// Whether a node of an element may be 0, which stands for a middle node that is left out. Shapes
 /// that are only carried along may have it anywhere.
@@ -94,7 +103,7 @@ class PieceParser {
 
   /// Parses the records that begin in [begin, border).
   void parse(std::size_t begin, std::size_t border, Piece& piece) {
-    piece = Piece();
+    piece.clear();
     piece.begin = begin;
     reserve(border > begin ? border - begin : 0, piece);
     std::size_t at = skip_blank_lines(d_.lines, begin, limit_);
@@ -136,10 +145,9 @@ class PieceParser {
 
  private:
   void reserve(std::size_t bytes, Piece& piece) const {
-    constexpr std::size_t kBytesPerElement = 90, kNodesPerElement = 3;  // of a triangle
-    const std::size_t n = bytes / kBytesPerElement + 1;
+    const std::size_t n = bytes / kTriangleBytes + 1;
     piece.label.reserve(n), piece.attributes.reserve(n), piece.n_nodes.reserve(n), piece.place.reserve(n);
-    piece.nodes.reserve(n * kNodesPerElement);
+    piece.nodes.reserve(3 * n);
   }
 
   void take(std::size_t at, const ElementRecord& record, Piece& piece) {
@@ -191,27 +199,7 @@ class PieceParser {
   bool negative_ = false;
 };
 
-/// Parses all pieces at once from guessed starts, then makes sure that each starts where the one
-/// before ended. Stops at the first fault in file order.
-std::optional<Fault> parse_pieces(const Document& d, const Dataset& dataset, const LabelIndex& nodes,
-                                  std::vector<Piece>& pieces) {
-  const std::vector<std::size_t> borders = piece_borders(d.lines, dataset.body, dataset.body_end);
-  pieces.resize(borders.size() - 1);
-  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
-    PieceParser parser(d, dataset, nodes);
-    parser.parse(k == 0 ? borders[0] : parser.likely_start(borders[k]), borders[k + 1], pieces[k]);
-  });
-  PieceParser parser(d, dataset, nodes);
-  std::size_t at = skip_blank_lines(d.lines, dataset.body, dataset.body_end);
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (skip_blank_lines(d.lines, pieces[k].begin, dataset.body_end) != at) parser.parse(at, borders[k + 1], pieces[k]);
-    if (pieces[k].fault) return pieces[k].fault;
-    at = skip_blank_lines(d.lines, pieces[k].end, dataset.body_end);
-  }
-  return std::nullopt;
-}
-
-void append(std::vector<Piece>& pieces, Model& model) {
+void append(std::span<const Piece> pieces, Model& model) {
   AttributesTable table(std::move(model.attributes));
   const std::size_t n = pieces.size();
   std::vector<std::size_t> first_element(n + 1, model.element_label.size()), first_node(n + 1, model.nodes.size());
@@ -228,7 +216,7 @@ void append(std::vector<Piece>& pieces, Model& model) {
   model.element_label.resize(m), model.element_place.resize(m), model.element_attributes.resize(m);
   model.first_node.resize(m + 1), model.nodes.resize(first_node[n]);
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-    Piece& piece = pieces[k];
+    const Piece& piece = pieces[k];
     const std::size_t e = first_element[k];
     std::ranges::copy(piece.label, model.element_label.begin() + static_cast<std::ptrdiff_t>(e));
     std::ranges::copy(piece.place, model.element_place.begin() + static_cast<std::ptrdiff_t>(e));
@@ -238,9 +226,72 @@ void append(std::vector<Piece>& pieces, Model& model) {
       model.element_attributes[e + i].value = attributes[k][piece.attributes[i]];
       model.first_node[e + i + 1] = static_cast<std::uint32_t>(node += piece.n_nodes[i]);
     }
-    piece = Piece();
   });
 }
+
+/// Reads the elements of one dataset, a wave of pieces at a time, so that their memory is used again.
+class WaveReader {
+ public:
+  WaveReader(const Document& d, const Dataset& dataset, const LabelIndex& nodes, Model& model)
+      : d_(d),
+        dataset_(dataset),
+        nodes_(nodes),
+        model_(model),
+        borders_(piece_borders(d.lines, dataset.body, dataset.body_end)),
+        at_(skip_blank_lines(d.lines, dataset.body, dataset.body_end)) {}
+
+  /// Stops at the first fault in file order.
+  std::optional<Fault> run(Findings& findings) {
+    constexpr std::size_t kPiecesPerWave = 32;
+    const std::size_t n = borders_.size() - 1;
+    reserve();
+    for (std::size_t first = 0; first < n; first += kPiecesPerWave) {
+      pieces_.resize(std::min(kPiecesPerWave, n - first));
+      if (auto fault = parse(first)) return fault;
+      std::size_t n_nodes = model_.nodes.size();
+      for (const Piece& piece : pieces_) findings.add(piece.findings), n_nodes += piece.nodes.size();
+      if (n_nodes > std::numeric_limits<std::uint32_t>::max())
+        return Fault{ErrorCode::kMalformed, dataset_.body, "more than 4294967295 node references in elements", {}};
+      append(pieces_, model_);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// Room for triangles. What is not used costs nothing.
+  void reserve() {
+    const std::size_t n = model_.n_elements() + (dataset_.body_end - dataset_.body) / kTriangleBytes + 1;
+    model_.element_label.reserve(n), model_.element_place.reserve(n), model_.element_attributes.reserve(n);
+    model_.first_node.reserve(n + 1), model_.nodes.reserve(model_.nodes.size() + 3 * n);
+  }
+
+  /// Parses the pieces of a wave at once from guessed starts, then makes sure that each starts where the one before
+  /// ended.
+  std::optional<Fault> parse(std::size_t first) {
+    tbb::parallel_for(std::size_t{0}, pieces_.size(), [&](std::size_t k) {
+      PieceParser parser(d_, dataset_, nodes_);
+      const std::size_t border = borders_[first + k];
+      parser.parse(k == 0 ? at_ : parser.likely_start(border), borders_[first + k + 1], pieces_[k]);
+    });
+    PieceParser parser(d_, dataset_, nodes_);
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      Piece& piece = pieces_[k];
+      if (skip_blank_lines(d_.lines, piece.begin, dataset_.body_end) != at_)
+        parser.parse(at_, borders_[first + k + 1], piece);
+      if (piece.fault) return piece.fault;
+      at_ = skip_blank_lines(d_.lines, piece.end, dataset_.body_end);
+    }
+    return std::nullopt;
+  }
+
+  const Document& d_;
+  const Dataset& dataset_;
+  const LabelIndex& nodes_;
+  Model& model_;
+  std::vector<std::size_t> borders_;
+  std::size_t at_;  // the next record
+  std::vector<Piece> pieces_;
+};
 
 void warn(const Document& d, const Irregular& found, const char* name, const char* what,
           std::vector<Warning>& warnings) {
@@ -251,15 +302,8 @@ void warn(const Document& d, const Irregular& found, const char* name, const cha
 
 tl::expected<void, Fault> read_elements(const Document& d, const Dataset& dataset, const LabelIndex& nodes,
                                         Model& model, std::vector<Warning>& warnings) {
-  std::vector<Piece> pieces;
-  if (auto fault = parse_pieces(d, dataset, nodes, pieces)) return tl::unexpected(std::move(*fault));
   Findings findings;
-  std::size_t n_nodes = model.nodes.size();
-  for (const Piece& piece : pieces) findings.add(piece.findings), n_nodes += piece.nodes.size();
-  if (n_nodes > std::numeric_limits<std::uint32_t>::max())
-    return tl::unexpected(
-        Fault{ErrorCode::kMalformed, dataset.body, "more than 4294967295 node references in elements", {}});
-  append(pieces, model);
+  if (auto fault = WaveReader(d, dataset, nodes, model).run(findings)) return tl::unexpected(std::move(*fault));
   warn(d, findings.tokens, "free-format", " element records are not in Fortran columns and were read by blanks",
        warnings);
   warn(d, findings.unusual_beams, "beam-record",

@@ -17,14 +17,24 @@ namespace meshgraft::unv {
 
 inline constexpr std::int64_t kLargestLabel = 9'999'999'999;  // fits in ten columns
 
-/// I10.
-inline void append_integer(std::int64_t value, std::string& text) {
-  std::array<char, 24> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  const auto n = static_cast<std::size_t>(end - digits.data());
-  if (n < kIntegerWidth) text.append(kIntegerWidth - n, ' ');
-  text.append(digits.data(), n);
-}
+/// I10; wider if the number does not fit.
+class IntegerField {
+ public:
+  explicit IntegerField(std::int64_t value) {
+    std::uint64_t rest = value < 0 ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
+    do characters_[--first_] = static_cast<char>('0' + rest % 10);
+    while ((rest /= 10) > 0);
+    if (value < 0) characters_[--first_] = '-';
+    while (first_ > characters_.size() - kIntegerWidth) characters_[--first_] = ' ';
+  }
+  [[nodiscard]] std::string_view text() const { return {characters_.data() + first_, characters_.size() - first_}; }
+
+ private:
+  std::array<char, 20> characters_;  // filled from the end; room for any number
+  std::size_t first_ = characters_.size();
+};
+
+inline void append_integer(std::int64_t value, std::string& text) { text += IntegerField(value).text(); }
 
 /// 1P1D25.16: 17 significant digits, which read back to the same bits. Values nearer to zero than
 /// 1e-99, which would need a third digit of the exponent, are written as zero.
