@@ -35,6 +35,8 @@ class Editor {
   /// Wanted edge length at a vertex; the mean of both at an edge.
   double size(VertexId v);
   double size(VertexId a, VertexId b) { return 0.5 * (size(a) + size(b)); }
+  /// At a point of a sheet.
+  [[nodiscard]] double size(SheetId sheet, Vec3 p) const { return sizing_.in_sheet(sheet, p); }
   [[nodiscard]] double length(VertexId a, VertexId b) const { return distance(mesh_.position(a), mesh_.position(b)); }
 
   /// What a face costs, at most as much as a flat one. The remesher lowers the sum of this.
