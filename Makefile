@@ -6,15 +6,17 @@
 #   make sanitize  the tests again, under the address and undefined-behaviour sanitizers
 #   make soak      the laws on new random scenes, SCENES (1000) each; prints the seed of each failure
 #   make bench     measure speed and memory, beside CGAL doing the same
+#   make validation  analyse merged meshes and meshes made from CAD, side by side
 #   make format    lay out the sources with clang-format
 #   make lint      names and common mistakes, with clang-tidy
 #   make clean     remove build/
 
 JOBS := $(shell nproc)
 SCENES := 1000
-SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'tools/*.[ch]pp' 'examples/*.cpp')
+SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'validation/*.[ch]pp' \
+  'tools/*.[ch]pp' 'examples/*.cpp')
 
-.PHONY: demo test build sanitize soak bench format lint clean packages
+.PHONY: demo test build sanitize soak bench validation format lint clean packages
 .DEFAULT_GOAL := build
 
 demo: build/release/build.ninja
@@ -44,6 +46,12 @@ bench:
 	cmake --preset bench
 	cmake --build build/bench
 	build/bench/bench/meshgraft_bench build/bench/meshgraft build/bench/scenes
+
+validation:
+	tools/install-packages build validation
+	cmake --preset release
+	cmake --build build/release --target meshgraft_cli meshgraft_study
+	validation/run build/release build/validation
 
 format:
 	tools/install-packages lint

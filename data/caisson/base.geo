@@ -7,7 +7,9 @@ bulkhead = 640;                                 // its x
 opening = 170;                                  // radius of the hole in the bulkhead
 manhole = 210; manhole_x = 1080; manhole_y = 540;
 rib_y[] = {330, 760}; rib_height = 130;
-size = 65;                                      // edge length
+DefineConstant[ size = 65 ];                     // edge length
+DefineConstant[ algorithm = 6 ];                 // Mesh.Algorithm
+DefineConstant[ assembled = 0 ];                 // 1: one conforming mesh with the stiffeners, as from CAD
 
 Box(1) = {0, 0, 0, length, width, height};
 walls[] = Boundary{ Volume{1}; };
@@ -30,7 +32,13 @@ Rectangle(106) = {450, 180, 0, 620, 300};       // thicker plate inside the wall
 Rotate { {1, 0, 0}, {0, 0, 0}, Pi/2 } { Surface{106}; }
 Translate { 0, width, 0 } { Surface{106}; }
 
-BooleanFragments{ Surface{walls[]}; Delete; }{ Surface{101:106}; Delete; }
+inner_parts[] = {101:106};
+If (assembled)
+  Include "stiffener_a.geo";
+  Include "stiffener_b.geo";
+  inner_parts[] += {stiffener_a, stiffener_b};
+EndIf
+BooleanFragments{ Surface{walls[]}; Delete; }{ Surface{inner_parts[]}; Delete; }
 e = 1;
 hole[] = Surface In BoundingBox {manhole_x-manhole-e, manhole_y-manhole-e, height-e, manhole_x+manhole+e, manhole_y+manhole+e, height+e};
 hole[] += Surface In BoundingBox {bulkhead-e, 0.52*width-opening-e, 0.55*height-opening-e, bulkhead+e, 0.52*width+opening+e, 0.55*height+opening+e};
@@ -71,8 +79,15 @@ Physical Surface("CAISSON") = {xmin[], xmax[], ymin[], ymax[], floor[], deck[], 
 Physical Curve("MANHOLE_RIM") = rim[];
 Physical Curve("CLAMP") = clamp[];
 Physical Point("N_GAUGES") = gauges[];
+If (assembled)
+  in_a[] = Surface In BoundingBox {from-e, wall-inside-e, a_height-outside*Sin(lean)-e, to+e, wall+outside+e, a_height+outside*Sin(lean)+e};
+  in_b[] = Surface In BoundingBox {b_x-e, wall-e, low-e, b_x+e, wall+depth+e, high+e};
+  Physical Surface("STIFFENER_A") = in_a[];
+  Physical Surface("STIFFENER_B") = in_b[];
+  Physical Surface("STIFFENERS") = {in_a[], in_b[]};
+EndIf
 
 Mesh.CharacteristicLengthMin = size;
 Mesh.CharacteristicLengthMax = size;
-Mesh.Algorithm = 6;
+Mesh.Algorithm = algorithm;
 Mesh.SaveGroupsOfNodes = 1;

@@ -2,27 +2,31 @@
 // over the border of its thicker plate. It leans by 8 degrees. Lengths in mm.
 SetFactory("OpenCASCADE");
 
-wall = 1100; height = 290; lean = 8*Pi/180;
-inside = 95; outside = 165; from = 375; to = 1305; chamfer = 70;
-size = 58;
+wall = 1100; a_height = 290; lean = 8*Pi/180;
+inside = 95; outside = 165; from = 375; to = 1305; a_chamfer = 70;
+DefineConstant[ size = 58, algorithm = 6 ];
 
-Point(1) = {from, wall - inside, height};
-Point(2) = {to, wall - inside, height};
-Point(3) = {to, wall + outside - chamfer, height};
-Point(4) = {to - chamfer, wall + outside, height};
-Point(5) = {from + chamfer, wall + outside, height};
-Point(6) = {from, wall + outside - chamfer, height};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};
-Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 1};
-Curve Loop(1) = {1:6};
-Plane Surface(1) = {1};
-Rotate { {1, 0, 0}, {0, wall, height}, lean } { Surface{1}; }
+p = newp; l = newl; stiffener_a = news;
+Point(p) = {from, wall - inside, a_height};
+Point(p + 1) = {to, wall - inside, a_height};
+Point(p + 2) = {to, wall + outside - a_chamfer, a_height};
+Point(p + 3) = {to - a_chamfer, wall + outside, a_height};
+Point(p + 4) = {from + a_chamfer, wall + outside, a_height};
+Point(p + 5) = {from, wall + outside - a_chamfer, a_height};
+For k In {0:5}
+  Line(l + k) = {p + k, p + (k + 1) % 6};
+EndFor
+Curve Loop(stiffener_a) = {l : l + 5};
+Plane Surface(stiffener_a) = {stiffener_a};
+Rotate { {1, 0, 0}, {0, wall, a_height}, lean } { Surface{stiffener_a}; }
 
-Physical Surface("STIFFENER_A") = {1};
-Physical Surface("STIFFENERS") = {1};
-Physical Curve("A_FREE_EDGE") = {3, 4, 5};
+If (!Exists(assembled))
+  Physical Surface("STIFFENER_A") = {stiffener_a};
+  Physical Surface("STIFFENERS") = {stiffener_a};
+  Physical Curve("A_FREE_EDGE") = {l + 2, l + 3, l + 4};
 
-Mesh.CharacteristicLengthMin = size;
-Mesh.CharacteristicLengthMax = size;
-Mesh.Algorithm = 6;
-Mesh.SaveGroupsOfNodes = 1;
+  Mesh.CharacteristicLengthMin = size;
+  Mesh.CharacteristicLengthMax = size;
+  Mesh.Algorithm = algorithm;
+  Mesh.SaveGroupsOfNodes = 1;
+EndIf

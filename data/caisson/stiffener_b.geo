@@ -2,22 +2,27 @@
 // the box. Lengths in mm.
 SetFactory("OpenCASCADE");
 
-wall = 1100; x = 955; low = 110; high = 530; depth = 140; chamfer = 60;
-size = 52;
+wall = 1100; b_x = 955; low = 110; high = 530; depth = 140; b_chamfer = 60;
+DefineConstant[ size = 52, algorithm = 6 ];
 
-Point(1) = {x, wall, low};
-Point(2) = {x, wall + depth, low + chamfer};
-Point(3) = {x, wall + depth, high - chamfer};
-Point(4) = {x, wall, high};
-Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
-Curve Loop(1) = {1:4};
-Plane Surface(1) = {1};
+p = newp; l = newl; stiffener_b = news;
+Point(p) = {b_x, wall, low};
+Point(p + 1) = {b_x, wall + depth, low + b_chamfer};
+Point(p + 2) = {b_x, wall + depth, high - b_chamfer};
+Point(p + 3) = {b_x, wall, high};
+For k In {0:3}
+  Line(l + k) = {p + k, p + (k + 1) % 4};
+EndFor
+Curve Loop(stiffener_b) = {l : l + 3};
+Plane Surface(stiffener_b) = {stiffener_b};
 
-Physical Surface("STIFFENER_B") = {1};
-Physical Surface("STIFFENERS") = {1};
-Physical Curve("B_TIP") = {2};
+If (!Exists(assembled))
+  Physical Surface("STIFFENER_B") = {stiffener_b};
+  Physical Surface("STIFFENERS") = {stiffener_b};
+  Physical Curve("B_TIP") = {l + 1};
 
-Mesh.CharacteristicLengthMin = size;
-Mesh.CharacteristicLengthMax = size;
-Mesh.Algorithm = 6;
-Mesh.SaveGroupsOfNodes = 1;
+  Mesh.CharacteristicLengthMin = size;
+  Mesh.CharacteristicLengthMax = size;
+  Mesh.Algorithm = algorithm;
+  Mesh.SaveGroupsOfNodes = 1;
+EndIf

@@ -1,0 +1,146 @@
+// meshgraft_study: decks for CalculiX, and the tables of the study.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <iostream>
+
+#include "calculix.hpp"
+#include "meshgraft/unv.hpp"
+#include "tables.hpp"
+
+namespace meshgraft::validation {
+namespace {
+
+/// Meshes of one edge length that are compared with each other, and the finer one that they are measured by.
+struct Meshes {
+  std::string refined;
+  std::vector<std::string> cad, merged;
+  double size = 0;
+};
+
+struct Options {
+  std::string study, model, output;
+  Meshes shell, calculix;
+};
+
+Result<Structure> read_structure(const std::string& path, const Study& study) {
+  const auto model = read_unv(path);
+  if (!model) return Failure(model.error());
+  return structure_of(*model, study);
+}
+
+int failed(const Error& error) {
+  std::cerr << to_string(error) << '\n';
+  return 1;
+}
+
+int write_deck_of(const Options& options) {
+  const auto study = read_study(options.study);
+  if (!study) return failed(study.error());
+  const auto structure = read_structure(options.model, *study);
+  if (!structure) return failed(structure.error());
+  std::ofstream out(options.output);
+  write_deck(out, *structure, *study);
+  out.flush();
+  return out ? 0 : failed({ErrorCode::kCannotWrite, "cannot be written", "", {options.output, 0}});
+}
+
+/// Where the solution of a mesh comes from.
+enum class Solver { kShell, kCalculix };
+
+Result<Case> solved(const std::string& path, Role role, const Study& study, Solver solver) {
+  auto structure = read_structure(path, study);
+  if (!structure) return Failure(structure.error());
+  const std::filesystem::path file(path);
+  auto response = solver == Solver::kCalculix
+                      ? read_calculix(std::filesystem::path(file).replace_extension().string(), *structure)
+                      : solve(*structure, study);
+  if (!response) return Failure(response.error());
+  return Case{file.stem().string(), role, std::move(*structure), std::move(*response)};
+}
+
+Result<void> write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path);
+  out << text << std::flush;
+  return out ? Result<void>{} : failure(ErrorCode::kCannotWrite, "cannot be written", "", {path.string(), 0});
+}
+
+/// NAME.md, and the aims that are not met as a list in NAME.unmet.md.
+Result<void> write_tables(const std::filesystem::path& name, const Tables& tables) {
+  std::string list;
+  for (const std::string& aim : tables.unmet) list += "- " + aim + '\n';
+  if (list.empty()) list = "- none\n";
+  const auto written = write(name.string() + ".md", tables.text);
+  return written ? write(name.string() + ".unmet.md", list) : written;
+}
+
+/// All cases, solved side by side.
+Result<std::vector<Case>> solved(const Meshes& meshes, const Study& study, Solver solver) {
+  std::vector<std::future<Result<Case>>> work;
+  const auto start = [&](const std::vector<std::string>& files, Role role) {
+    for (const std::string& file : files)
+      work.push_back(std::async(std::launch::async, [&, file, role] { return solved(file, role, study, solver); }));
+  };
+  start({meshes.refined}, Role::kRefined);
+  start(meshes.cad, Role::kCad);
+  start(meshes.merged, Role::kMerged);
+  std::vector<Result<Case>> results;
+  for (auto& w : work) results.push_back(w.get());
+  std::vector<Case> cases;
+  for (Result<Case>& one : results) {
+    if (!one) return Failure(one.error());
+    cases.push_back(std::move(*one));
+  }
+  return cases;
+}
+
+int write_all_tables(const Options& options) {
+  const auto study = read_study(options.study);
+  if (!study) return failed(study.error());
+  struct Run {
+    Solver solver;
+    const Meshes& meshes;
+    const char* name;
+  };
+  for (const Run& run :
+       {Run{Solver::kCalculix, options.calculix, "calculix"}, Run{Solver::kShell, options.shell, "shell"}}) {
+    const auto cases = solved(run.meshes, *study, run.solver);
+    if (!cases) return failed(cases.error());
+    const auto written =
+        write_tables(std::filesystem::path(options.output) / run.name, tables_of(*cases, *study, run.meshes.size));
+    if (!written) return failed(written.error());
+  }
+  return 0;
+}
+
+/// Options --refined, --cad, --merged and --size, each with a prefix.
+void add_meshes(CLI::App& app, const std::string& prefix, Meshes& meshes, const std::string& solver) {
+  app.add_option(prefix + "refined", meshes.refined, "the mesh that the others are compared with, " + solver)
+      ->required();
+  app.add_option(prefix + "cad", meshes.cad, "meshes made from CAD, " + solver)->required()->expected(2, 9);
+  app.add_option(prefix + "merged", meshes.merged, "merged meshes, " + solver)->required();
+  app.add_option(prefix + "size", meshes.size, "edge length of these meshes, mm")->required();
+}
+
+}  // namespace
+}  // namespace meshgraft::validation
+
+int main(int argc, char** argv) {
+  using namespace meshgraft::validation;
+  Options options;
+  CLI::App app{"The study of the caisson: the same analysis on merged meshes and on meshes made from CAD."};
+  app.require_subcommand(1);
+  CLI::App* deck = app.add_subcommand("deck", "writes an input file for CalculiX");
+  deck->add_option("STUDY", options.study, "what the groups mean (JSON)")->required();
+  deck->add_option("MODEL", options.model, "a universal file")->required();
+  deck->add_option("-o,--output", options.output, "the input file")->required();
+  CLI::App* tables = app.add_subcommand(
+      "tables", "writes the results side by side, by the shell triangle (shell.md) and by CalculiX (calculix.md)");
+  tables->add_option("STUDY", options.study, "what the groups mean (JSON)")->required();
+  add_meshes(*tables, "--", options.shell, "to be solved with the shell triangle of the study");
+  add_meshes(*tables, "--calculix-", options.calculix, "with results of CalculiX beside them");
+  tables->add_option("-o,--output", options.output, "folder for the tables")->required();
+  CLI11_PARSE(app, argc, argv);
+  return deck->parsed() ? write_deck_of(options) : write_all_tables(options);
+}
