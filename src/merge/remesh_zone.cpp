@@ -39,13 +39,6 @@ double shortfall(const Remeshed& remeshed, double min_quality) {
   return sum;
 }
 
-double mean_quality(const Remeshed& remeshed) {
-  double sum = 0, count = 0;
-  for (std::size_t f = 0; f < remeshed.in_zone.size(); ++f)
-    if (remeshed.in_zone[f]) sum += aspect_ratio(remeshed.complex.corners(FaceId(f))), ++count;
-  return count > 0 ? sum / count : 1;
-}
-
 /// Largest ratio of the mean edge lengths of two inputs at the junction.
 double size_ratio(const Complex& original, const Corefined& corefined) {
   std::vector<ElementRef> touched;
@@ -114,11 +107,11 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   int widened = 0;
   // Wider is better nearly always; where it is not, because it reaches other sheets, the narrow zone may be.
   for (const int more : {limits.more, 0}) {
-    if (options.bandwidth || more == start || mean_quality(best.remeshed) >= wanted) continue;
+    if (options.bandwidth || more == start || best.remeshed.mean_quality >= wanted) continue;
     Attempt other = attempt(zone_of(more));
     // Poor faces of a narrow zone are mended below.
     const bool sound = more == 0 || worst_mendable(other.remeshed) >= worst_mendable(best.remeshed);
-    if (!sound || mean_quality(other.remeshed) <= mean_quality(best.remeshed)) continue;
+    if (!sound || other.remeshed.mean_quality <= best.remeshed.mean_quality) continue;
     best = std::move(other), widened = more > 0 ? 1 : 0;
   }
 

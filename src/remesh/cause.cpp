@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "geometry/quality.hpp"
 #include "remesh/result.hpp"
@@ -45,8 +46,11 @@ std::optional<double> least_corner_deg(const Editor& editor, const LocalFace& fa
   return least;
 }
 
-/// Shortest edge between fixed vertices on the faces around: the sizes grow from there.
-std::optional<double> least_fixed_gap(const LocalMesh& mesh, const std::array<VertexId, 3>& around) {
+/// Shortest edge between fixed vertices on the faces around and those beside them: the sizes grow from there.
+std::optional<double> least_fixed_gap(const LocalMesh& mesh, const std::array<VertexId, 3>& corners) {
+  std::vector<VertexId> around;
+  for (const VertexId v : corners)
+    for (const FaceId f : mesh.star(v)) around.insert(around.end(), mesh.face(f).v.begin(), mesh.face(f).v.end());
   std::optional<double> least;
   for (const VertexId v : around)
     for (const FaceId f : mesh.star(v)) {

@@ -1,6 +1,9 @@
 // Mending of single faces.
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numbers>
+#include <utility>
 
 #include "remesh/improve.hpp"
 
@@ -10,6 +13,8 @@ namespace {
 constexpr int kRounds = 6;                // sweeps over the poor faces
 constexpr double kDeviationWeight = 1.5;  // of the deviation beyond what is allowed, in the cost
 constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a change is not worth making
+constexpr int kLeastRegularGain = 3;  // of an edge: excess of its ends less that opposite; 3 lowers the sum of squares
+constexpr double kIdealAngle = std::numbers::pi / 3;  // of a corner of a face
 
 class Mender {
  public:
@@ -32,8 +37,72 @@ class Mender {
     }
   }
 
+  /// Changes that bring vertices nearer to their ideal number of faces.
+  void regularise() {
+    waiting_.assign(mesh().n_vertices(), 1);
+    for (int round = 0; round < kRounds; ++round) {
+      bool better = false;
+      for (std::size_t k = 0; k < mesh().n_vertices(); ++k) {
+        if (!std::exchange(waiting_[k], std::uint8_t{0}) || !is_loose(VertexId(k))) continue;
+        editor_.forget();
+        better = regularise(VertexId(k)) || better;
+      }
+      if (!better) return;
+    }
+  }
+
  private:
   [[nodiscard]] const LocalMesh& mesh() const { return editor_.mesh(); }
+
+  /// A vertex of a sheet that may go.
+  [[nodiscard]] bool is_loose(VertexId v) const {
+    const LocalVertex& vertex = mesh().vertex(v);
+    return !vertex.fixed && !vertex.curve.valid() && !mesh().star(v).empty();
+  }
+  [[nodiscard]] SheetId sheet_of(VertexId v) const { return mesh().face(mesh().star(v)[0]).sheet; }
+
+  /// Faces of a sheet at a vertex beyond the number of equilateral ones that its angle there has room for.
+  [[nodiscard]] int excess(VertexId v, SheetId sheet) const {
+    double angle = 0;
+    int n = 0;
+    for (const FaceId f : mesh().star(v)) {
+      const LocalFace& face = mesh().face(f);
+      if (face.sheet != sheet) continue;
+      const std::size_t k = face.corner_of(v);
+      const Vec3 a = mesh().position(face.v[(k + 1) % 3]) - mesh().position(v),
+                 b = mesh().position(face.v[(k + 2) % 3]) - mesh().position(v);
+      angle += std::atan2(norm(cross(a, b)), dot(a, b)), ++n;
+    }
+    return n - std::max(1, static_cast<int>(std::lround(angle / kIdealAngle)));
+  }
+
+  bool regularise(VertexId v) {
+    const SheetId sheet = sheet_of(v);
+    const int own = excess(v, sheet);
+    const std::array<VertexId, 1> only_v{v};
+    if (own < 0) return gains(only_v, [&] { return editor_.remove(v); });
+    if (own == 0) return false;
+    for (const VertexId u : ring(only_v)) {
+      const FacesOfEdge faces = mesh().faces_at(u, v);
+      if (u == v || faces.size() != 2) continue;
+      std::array<VertexId, 4> at{u, v};
+      for (const std::size_t i : {0u, 1u})
+        for (const VertexId w : mesh().face(faces[i]).v)
+          if (w != u && w != v) at[2 + i] = w;
+      const int gain = own + excess(u, sheet) - excess(at[2], sheet) - excess(at[3], sheet);
+      if (gain >= kLeastRegularGain && gains(at, [&] { return editor_.flip(u, v); })) return true;
+    }
+    return false;
+  }
+
+  /// The same for a change at the given vertices, with what is around them.
+  bool gains(std::span<const VertexId> at, const std::function<bool()>& change) {
+    const std::vector<VertexId> near = ring(at), region = ring(near);
+    added_ = VertexId{};
+    if (!gains(change, near, region, cost_around(region))) return false;
+    for (const VertexId w : near) waiting_[w.value] = 1;
+    return true;
+  }
 
   bool is_poor(FaceId f) { return mesh().face(f).q < target_ || editor_.deviation(f) > 1; }
 
@@ -117,11 +186,14 @@ class Mender {
 
   Editor& editor_;
   double target_;
-  VertexId added_;  // by the split under trial
+  VertexId added_;                     // by the split under trial
+  std::vector<std::uint8_t> waiting_;  // by vertex: to be regularised, for something around it has changed
   std::vector<FaceId> faces_;
 };
 
 }  // namespace
+
+void regularise(Editor& editor) { Mender(editor, 0).regularise(); }
 
 void mend(Editor& editor, double target) { Mender(editor, target).run(); }
 

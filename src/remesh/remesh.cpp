@@ -28,6 +28,7 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
     relax_all(sheet);
     fit_to_size(sheet);
     relax_all(sheet);
+    regularise(sheet);
   });
   mend(editor, kComfortable);
   relax_curves(editor);

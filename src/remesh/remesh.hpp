@@ -42,6 +42,7 @@ struct Remeshed {
   Complex complex;  // vertices no face or line uses any more are left out, except kPinned/kFrozen ones
   std::vector<std::uint8_t> in_zone;  // by face: descends from a zone face
   std::vector<BadFace> bad;           // faces of the zone with Q < min_quality, worst first
+  double mean_quality = 1;            // mean Q of the faces that are not as in the input
   double max_deviation = 0;           // of new faces from the reference surface (sampled)
   double max_deviation_relative = 0;  // over the local edge length
   Vec3 deviation_at;

@@ -160,6 +160,8 @@ class Writer {
   }
 
   void write_faces() {
+    double sum = 0;
+    std::size_t n_changed = 0;
     for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
       const FaceId f(k);
       const LocalFace& face = mesh().face(f);
@@ -169,7 +171,9 @@ class Writer {
       result_.in_zone.push_back(mesh().is_new(f) ? 1 : in_zone_[k]);
       if (face.in_zone && face.q < editor_.options().min_quality)
         result_.bad.push_back({id, face.q, cause_of(editor_, f)});
+      if (is_changed(f)) sum += face.q, ++n_changed;
     }
+    if (n_changed > 0) result_.mean_quality = sum / static_cast<double>(n_changed);
   }
 
   [[nodiscard]] bool is_changed(FaceId f) const {
