@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
-#include "search/blocks.hpp"
 
 namespace meshgraft {
 namespace {

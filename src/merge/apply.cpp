@@ -1,5 +1,8 @@
 // The merged model as arrays.
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <set>
 
@@ -9,26 +12,19 @@
 namespace meshgraft {
 namespace {
 
-/// Calls f(first, last) for each run of positions below n that are not in `removed` (ascending).
-template <class Id, class F>
-void for_each_kept_run(std::size_t n, const std::vector<Id>& removed, F&& f) {
+using Run = std::array<std::size_t, 2>;  // first, last + 1
+
+/// The runs of positions below n that are not in `removed` (ascending).
+template <class Id>
+std::vector<Run> kept_runs(std::size_t n, const std::vector<Id>& removed) {
+  std::vector<Run> runs;
   std::size_t first = 0;
   for (const Id id : removed) {
-    if (id.value > first) f(first, std::size_t{id.value});
+    if (id.value > first) runs.push_back({first, id.value});
     first = std::size_t{id.value} + 1;
   }
-  if (n > first) f(first, n);
-}
-
-/// Appends part of an array, each value through a table; a table that changes nothing costs nothing.
-template <class Id>
-void append(std::vector<Id>& to, const std::vector<Id>& from, std::size_t first, std::size_t last,
-            const std::vector<Id>& table, bool is_identity) {
-  const auto low = from.begin() + static_cast<std::ptrdiff_t>(first);
-  to.insert(to.end(), low, low + static_cast<std::ptrdiff_t>(last - first));
-  if (is_identity) return;
-  for (Id& id : std::span(to).last(last - first))
-    if (id.valid()) id = table[id.value];
+  if (n > first) runs.push_back({first, n});
+  return runs;
 }
 
 template <class T>
@@ -37,12 +33,25 @@ void append(std::vector<T>& to, const std::vector<T>& from, std::size_t first, s
   to.insert(to.end(), low, low + static_cast<std::ptrdiff_t>(last - first));
 }
 
+/// Ids of an input in terms of the result; invalid ones stay invalid.
 template <class Id>
-bool is_identity(const std::vector<Id>& table) {
-  for (std::size_t k = 0; k < table.size(); ++k)
-    if (table[k] != Id(k)) return false;
-  return true;
-}
+class Table {
+ public:
+  explicit Table(std::vector<Id> to) : to_(std::move(to)) {
+    for (std::size_t k = 0; k < to_.size(); ++k) is_identity_ = is_identity_ && to_[k] == Id(k);
+  }
+  [[nodiscard]] Id operator[](Id id) const { return to_[id.value]; }
+  /// Translates the ids from position `first` on.
+  void translate(std::vector<Id>& ids, std::size_t first) const {
+    if (is_identity_) return;
+    for (Id& id : std::span(ids).subspan(first))
+      if (id.valid()) id = to_[id.value];
+  }
+
+ private:
+  std::vector<Id> to_;
+  bool is_identity_ = true;
+};
 
 class Assembly {
  public:
@@ -56,13 +65,12 @@ class Assembly {
     for (const Model* model : inputs_)
       if (!out_.units) out_.units = model->units;
     name_groups();
-    reserve();
-    for (std::uint32_t k = 0; k < inputs_.size(); ++k) add_nodes(k);
-    add_new_nodes();
-    redirect_replaced();
-    out_.first_node.push_back(0);
-    for (std::uint32_t k = 0; k < inputs_.size(); ++k) add_elements(k);
-    add_new_elements();
+    number_nodes();
+    number_elements();
+    tbb::parallel_invoke([&] { add_positions(); }, [&] { add_node_labels(); }, [&] { add_node_groups(); },
+                         [&] { add_element_labels(); }, [&] { add_element_attributes(); },
+                         [&] { add_element_groups(); }, [&] { add_nodes_of_elements(); });
+    join_groups();
     add_orientation_nodes();
     count_members();
     return std::move(out_);
@@ -91,58 +99,135 @@ class Assembly {
     translated_.emplace(inputs_, of_input_, out_.group_sets);
   }
 
-  void reserve() {
-    std::size_t nodes = graft_.new_nodes.size(), elements = graft_.new_elements.size(), uses = 3 * elements;
-    for (const Model* model : inputs_) {
-      nodes += model->n_nodes(), elements += model->n_elements(), uses += model->nodes.size();
+  void number_nodes() {
+    std::size_t id = 0;
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      const Model& model = *inputs_[k];
+      node_runs_.push_back(kept_runs(model.n_nodes(), graft_.removed_nodes[k]));
+      std::vector<NodeId>& ids = node_ids_.emplace_back(model.n_nodes());
+      for (const auto [first, last] : node_runs_[k])
+        for (std::size_t n = first; n < last; ++n) ids[n] = NodeId(id++);
     }
-    out_.position.reserve(nodes), out_.node_label.reserve(nodes), out_.node_groups.reserve(nodes);
-    out_.element_label.reserve(elements), out_.element_attributes.reserve(elements);
-    out_.element_groups.reserve(elements), out_.first_node.reserve(elements + 1), out_.nodes.reserve(uses);
+    first_new_ = id;
+    for (const Graft::ReplacedNode& r : graft_.replaced_nodes) node_ids_[r.node.input][r.node.node.value] = id_of(r.by);
   }
 
-  /// Group sets of an input as merged ones, for all its sets.
-  std::vector<GroupSetId> merged_sets(std::uint32_t k) {
-    std::vector<GroupSetId> sets;
-    for (std::size_t s = 0; s < inputs_[k]->group_sets.size(); ++s) sets.push_back((*translated_)(k, GroupSetId(s)));
-    return sets;
+  void number_elements() {
+    std::size_t id = 0;
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      const Model& model = *inputs_[k];
+      element_runs_.push_back(kept_runs(model.n_elements(), graft_.removed_elements[k]));
+      first_of_input_.push_back(id);
+      for (const auto [first, last] : element_runs_[k]) id += last - first;
+      std::vector<AttributesId> own;
+      for (const ElementAttributes& a : model.attributes) own.push_back(attributes(a));
+      attribute_ids_.emplace_back(std::move(own));
+      std::vector<GroupSetId> sets;
+      for (std::size_t s = 0; s < model.group_sets.size(); ++s) sets.push_back((*translated_)(k, GroupSetId(s)));
+      sets_.emplace_back(std::move(sets));
+    }
+    first_new_element_ = id;
   }
 
-  void add_nodes(std::uint32_t k) {
-    const Model& model = *inputs_[k];
-    const std::vector<GroupSetId> sets = merged_sets(k);
-    std::vector<NodeId>& ids = node_ids_.emplace_back(model.n_nodes());
-    const bool same_sets = is_identity(sets);
-    for_each_kept_run(model.n_nodes(), graft_.removed_nodes[k], [&](std::size_t first, std::size_t last) {
-      std::size_t id = out_.position.size();
-      for (std::size_t n = first; n < last; ++n) ids[n] = NodeId(id++);
-      append(out_.position, model.position, first, last);
-      append(out_.node_label, model.node_label, first, last);
-      append(out_.node_groups, model.node_groups, first, last, sets, same_sets);
+  // Each of the following makes one array, so that they can do so at the same time.
+
+  /// What is kept of an array of each input, and room for `n_new` more. Calls done(k, first) when that of input k is
+  /// there, from position `first` on.
+  template <class T, class F>
+  void gather(std::vector<T>& to, std::vector<T> Model::*array, const std::vector<std::vector<Run>>& runs,
+              std::size_t n_new, F&& done) const {
+    std::size_t n = n_new;
+    for (const auto& of_input : runs)
+      for (const auto [first, last] : of_input) n += last - first;
+    to.reserve(n);
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      const std::size_t begin = to.size();
+      for (const auto [first, last] : runs[k]) append(to, inputs_[k]->*array, first, last);
+      done(k, begin);
+    }
+  }
+
+  void add_positions() {
+    gather(out_.position, &Model::position, node_runs_, graft_.new_nodes.size(), [](std::uint32_t, std::size_t) {});
+    for (const Graft::MovedNode& m : graft_.moved_nodes) out_.position[id_of(m.node).value] = m.to;
+    for (const NewNode& n : graft_.new_nodes) out_.position.push_back(n.position);
+  }
+
+  void add_node_labels() {
+    gather(out_.node_label, &Model::node_label, node_runs_, graft_.new_nodes.size(), [&](std::uint32_t k, std::size_t) {
+      for (const NodeId n : labels_.shifted_nodes[k])
+        if (!std::ranges::binary_search(graft_.removed_nodes[k], n))
+          out_.node_label[node_ids_[k][n.value].value] += labels_.node_shift[k];
     });
-    for (const NodeId n : labels_.shifted_nodes[k])
-      if (ids[n.value].valid()) out_.node_label[ids[n.value].value] += labels_.node_shift[k];
-    for (const Graft::MovedNode& m : graft_.moved_nodes)
-      if (m.node.input == k) out_.position[ids[m.node.node.value].value] = m.to;
+    for (std::size_t i = 0; i < graft_.new_nodes.size(); ++i)
+      out_.node_label.push_back(labels_.first_new_node + static_cast<std::int64_t>(i));
+  }
+
+  void add_node_groups() {
+    gather(out_.node_groups, &Model::node_groups, node_runs_, graft_.new_nodes.size(),
+           [&](std::uint32_t k, std::size_t first) { sets_[k].translate(out_.node_groups, first); });
+    for (const NewNode& n : graft_.new_nodes) out_.node_groups.push_back(n.groups);
+  }
+
+  void add_element_labels() {
+    gather(out_.element_label, &Model::element_label, element_runs_, graft_.new_elements.size(),
+           [&](std::uint32_t k, std::size_t) {
+             for (const ElementId e : labels_.shifted_elements[k])
+               if (const ElementId id = id_of(ElementRef{k, e}); id.valid())
+                 out_.element_label[id.value] += labels_.element_shift[k];
+           });
+    for (std::size_t i = 0; i < graft_.new_elements.size(); ++i)
+      out_.element_label.push_back(labels_.first_new_element + static_cast<std::int64_t>(i));
+  }
+
+  void add_element_attributes() {
+    gather(out_.element_attributes, &Model::element_attributes, element_runs_, graft_.new_elements.size(),
+           [&](std::uint32_t k, std::size_t first) { attribute_ids_[k].translate(out_.element_attributes, first); });
+    for (const NewElement& e : graft_.new_elements) {
+      const AttributesId own = inputs_[e.parent.input]->element_attributes[e.parent.element.value];
+      out_.element_attributes.push_back(attribute_ids_[e.parent.input][own]);
+    }
+  }
+
+  void add_element_groups() {
+    gather(out_.element_groups, &Model::element_groups, element_runs_, graft_.new_elements.size(),
+           [&](std::uint32_t k, std::size_t first) { sets_[k].translate(out_.element_groups, first); });
+    for (const NewElement& e : graft_.new_elements) out_.element_groups.push_back(e.groups);
+  }
+
+  void add_nodes_of_elements() {
+    std::size_t uses = 3 * graft_.new_elements.size();
+    for (const Model* model : inputs_) uses += model->nodes.size();
+    out_.first_node.reserve(first_new_element_ + graft_.new_elements.size() + 1), out_.nodes.reserve(uses);
+    out_.first_node.push_back(0);
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      const Model& model = *inputs_[k];
+      for (const auto [first, last] : element_runs_[k]) {
+        const auto ahead = static_cast<std::uint32_t>(out_.nodes.size()) - model.first_node[first];  // modulo 2^32
+        append(out_.first_node, model.first_node, first + 1, last + 1);
+        for (std::uint32_t& offset : std::span(out_.first_node).last(last - first)) offset += ahead;
+        for (std::uint32_t i = model.first_node[first]; i < model.first_node[last]; ++i) {
+          const NodeId n = model.nodes[i];
+          out_.nodes.push_back(n.valid() ? node_ids_[k][n.value] : n);
+        }
+      }
+    }
+    for (const NewElement& e : graft_.new_elements) {
+      for (const NodeRef n : e.nodes)
+        if (n.valid()) out_.nodes.push_back(id_of(n));
+      out_.first_node.push_back(static_cast<std::uint32_t>(out_.nodes.size()));
+    }
+  }
+
+  void join_groups() {
     for (const Graft::JoinedNode& j : graft_.joined_nodes) {
-      if (j.node.input != k) continue;
-      GroupSetId& groups = out_.node_groups[ids[j.node.node.value].value];
+      GroupSetId& groups = out_.node_groups[id_of(j.node).value];
       groups = out_.group_sets.unite(groups, j.groups);
     }
-  }
-
-  void add_new_nodes() {
-    first_new_ = out_.position.size();
-    std::int64_t label = labels_.first_new_node;
-    for (const NewNode& n : graft_.new_nodes) {
-      out_.position.push_back(n.position);
-      out_.node_label.push_back(label++);
-      out_.node_groups.push_back(n.groups);
+    for (const Graft::JoinedElement& j : graft_.joined_elements) {
+      GroupSetId& groups = out_.element_groups[id_of(j.element).value];
+      groups = out_.group_sets.unite(groups, j.groups);
     }
-  }
-
-  void redirect_replaced() {
-    for (const Graft::ReplacedNode& r : graft_.replaced_nodes) node_ids_[r.node.input][r.node.node.value] = id_of(r.by);
   }
 
   NodeId id_of(NodeRef n) const {
@@ -156,54 +241,12 @@ class Assembly {
     return AttributesId(out_.attributes.size() - 1);
   }
 
-  void add_elements(std::uint32_t k) {
-    const Model& model = *inputs_[k];
-    const std::vector<GroupSetId> sets = merged_sets(k);
-    const std::vector<NodeId>& ids = node_ids_[k];
-    std::vector<AttributesId>& attribute_ids = attribute_ids_.emplace_back();
-    for (const ElementAttributes& a : model.attributes) attribute_ids.push_back(attributes(a));
-    const std::size_t first_element = out_.element_label.size();
-    const bool same_sets = is_identity(sets), same_attributes = is_identity(attribute_ids);
-    for_each_kept_run(model.n_elements(), graft_.removed_elements[k], [&](std::size_t first, std::size_t last) {
-      append(out_.element_label, model.element_label, first, last);
-      append(out_.element_attributes, model.element_attributes, first, last, attribute_ids, same_attributes);
-      append(out_.element_groups, model.element_groups, first, last, sets, same_sets);
-      const auto ahead = static_cast<std::uint32_t>(out_.nodes.size()) - model.first_node[first];  // modulo 2^32
-      append(out_.first_node, model.first_node, first + 1, last + 1);
-      for (std::uint32_t& offset : std::span(out_.first_node).last(last - first)) offset += ahead;
-      append(out_.nodes, model.nodes, model.first_node[first], model.first_node[last], ids, false);
-    });
-    first_of_input_.push_back(first_element);
-    for (const Graft::JoinedElement& j : graft_.joined_elements) {
-      if (j.element.input != k) continue;
-      GroupSetId& groups = out_.element_groups[id_of(j.element).value];
-      groups = out_.group_sets.unite(groups, j.groups);
-    }
-    for (const ElementId e : labels_.shifted_elements[k])
-      if (const ElementId id = id_of(ElementRef{k, e}); id.valid())
-        out_.element_label[id.value] += labels_.element_shift[k];
-  }
-
   /// Position in the result; invalid if removed.
   ElementId id_of(ElementRef e) const {
     const auto& removed = graft_.removed_elements[e.input];
     const auto it = std::ranges::lower_bound(removed, e.element);
     if (it != removed.end() && *it == e.element) return {};
     return ElementId(first_of_input_[e.input] + e.element.value - static_cast<std::size_t>(it - removed.begin()));
-  }
-
-  void add_new_elements() {
-    first_new_element_ = out_.element_label.size();
-    std::int64_t label = labels_.first_new_element;
-    for (const NewElement& e : graft_.new_elements) {
-      out_.element_label.push_back(label++);
-      const AttributesId own = inputs_[e.parent.input]->element_attributes[e.parent.element.value];
-      out_.element_attributes.push_back(attribute_ids_[e.parent.input][own.value]);
-      out_.element_groups.push_back(e.groups);
-      for (const NodeRef n : e.nodes)
-        if (n.valid()) out_.nodes.push_back(id_of(n));
-      out_.first_node.push_back(static_cast<std::uint32_t>(out_.nodes.size()));
-    }
   }
 
   /// The orientation node of an element, invalid if it has none.
@@ -238,9 +281,11 @@ class Assembly {
   Model out_;
   GroupTable of_input_;
   std::optional<SetTranslation> translated_;
-  std::vector<std::vector<NodeId>> node_ids_;             // [input][node]: position in the result
-  std::vector<std::vector<AttributesId>> attribute_ids_;  // [input][attributes]
-  std::vector<std::size_t> first_of_input_;               // [input]
+  std::vector<std::vector<Run>> node_runs_, element_runs_;  // by input: what is kept
+  std::vector<std::vector<NodeId>> node_ids_;               // [input][node]: position of it, or of what replaced it
+  std::vector<Table<AttributesId>> attribute_ids_;          // by input
+  std::vector<Table<GroupSetId>> sets_;                     // by input
+  std::vector<std::size_t> first_of_input_;                 // by input: position of its first element
   std::size_t first_new_ = 0, first_new_element_ = 0;
 };
 

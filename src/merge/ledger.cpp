@@ -5,10 +5,13 @@
 #include <cmath>
 #include <map>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kSumBlock = 65536;  // entities summed in one go: each block has a sum for each set of groups
 
 enum Kind : std::size_t { kNodes, kFaces, kLines, kOthers, kKinds };
 constexpr std::array<const char*, kKinds> kKindNames{"nodes", "faces", "lines", "other"};
@@ -65,17 +68,29 @@ Sum element(const Model& model, ElementId e) {
   return s;
 }
 
-/// All groups of one input, by group of that input.
+/// All groups of one input, by group of that input. Blocks are summed by themselves, then in their order.
 std::vector<Sum> sums_of(const Model& model) {
-  std::vector<Sum> by_set(model.group_sets.size());
-  for (std::size_t e = 0; e < model.n_elements(); ++e)
-    if (model.element_groups[e] != GroupSets::kEmpty)
-      by_set[model.element_groups[e].value].add(element(model, ElementId(e)));
-  for (const GroupSetId s : model.node_groups)
-    if (s != GroupSets::kEmpty) by_set[s.value].add(node());
+  const std::size_t n_sets = model.group_sets.size();
+  const auto by_set = [&](std::size_t n, auto&& add) {
+    return collected_by_block<Sum>(
+        n,
+        [&](std::size_t first, std::size_t last, std::vector<Sum>& sums) {
+          sums.resize(n_sets);
+          for (std::size_t i = first; i < last; ++i) add(i, sums);
+        },
+        kSumBlock);
+  };
+  const std::vector<Sum> elements = by_set(model.n_elements(), [&](std::size_t e, std::vector<Sum>& sums) {
+    if (const GroupSetId s = model.element_groups[e]; s != GroupSets::kEmpty)
+      sums[s.value].add(element(model, ElementId(e)));
+  });
+  const std::vector<Sum> nodes = by_set(model.n_nodes(), [&](std::size_t n, std::vector<Sum>& sums) {
+    if (const GroupSetId s = model.node_groups[n]; s != GroupSets::kEmpty) sums[s.value].add(node());
+  });
   std::vector<Sum> by_group(model.groups.size());
-  for (std::size_t s = 0; s < by_set.size(); ++s)
-    for (const GroupId g : model.group_sets.members(GroupSetId(s))) by_group[g.value].add(by_set[s]);
+  for (const auto* sums : {&elements, &nodes})
+    for (std::size_t i = 0; i < sums->size(); ++i)
+      for (const GroupId g : model.group_sets.members(GroupSetId(i % n_sets))) by_group[g.value].add((*sums)[i]);
   return by_group;
 }
 

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
-#include "search/blocks.hpp"
 
 namespace meshgraft {
 namespace {

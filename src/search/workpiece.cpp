@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
-#include "search/blocks.hpp"
 
 namespace meshgraft {
 namespace {

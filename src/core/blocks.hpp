@@ -11,15 +11,15 @@
 
 namespace meshgraft {
 
-inline constexpr std::size_t kBlock = 16384;  // a multiple of kRun
+inline constexpr std::size_t kBlock = 16384;  // a multiple of kRun; for passes that cost little per item
 inline constexpr std::size_t kRun = 64;       // a word of a bit set
 
 /// Calls f(first, last) for consecutive blocks of 0 to n, in any order and at the same time.
 template <class F>
-void for_blocks(std::size_t n, F&& f) {
+void for_blocks(std::size_t n, F&& f, std::size_t block = kBlock) {
   if (n == 0) return;
-  tbb::parallel_for(std::size_t{0}, (n + kBlock - 1) / kBlock,
-                    [&](std::size_t b) { f(b * kBlock, std::min(n, (b + 1) * kBlock)); });
+  tbb::parallel_for(std::size_t{0}, (n + block - 1) / block,
+                    [&](std::size_t b) { f(b * block, std::min(n, (b + 1) * block)); });
 }
 
 /// Calls f(first, last, box) for consecutive runs of first to last - 1, with the box around all box_of(i). What
@@ -37,9 +37,10 @@ void for_runs(std::size_t first, std::size_t last, BoxOf&& box_of, F&& f) {
 
 /// What f(first, last, out) appends to the vector `out`, for the blocks of 0 to n in this order.
 template <class T, class F>
-std::vector<T> collected_by_block(std::size_t n, F&& f) {
-  std::vector<std::vector<T>> found((n + kBlock - 1) / kBlock);
-  for_blocks(n, [&](std::size_t first, std::size_t last) { f(first, last, found[first / kBlock]); });
+std::vector<T> collected_by_block(std::size_t n, F&& f, std::size_t block = kBlock) {
+  std::vector<std::vector<T>> found((n + block - 1) / block);
+  for_blocks(
+      n, [&](std::size_t first, std::size_t last) { f(first, last, found[first / block]); }, block);
   std::vector<T> all;
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
   return all;
@@ -47,10 +48,13 @@ std::vector<T> collected_by_block(std::size_t n, F&& f) {
 
 /// What f(i, out) appends, for i = 0 to n - 1 in this order.
 template <class T, class F>
-std::vector<T> collected(std::size_t n, F&& f) {
-  return collected_by_block<T>(n, [&](std::size_t first, std::size_t last, std::vector<T>& out) {
-    for (std::size_t i = first; i < last; ++i) f(i, out);
-  });
+std::vector<T> collected(std::size_t n, F&& f, std::size_t block = kBlock) {
+  return collected_by_block<T>(
+      n,
+      [&](std::size_t first, std::size_t last, std::vector<T>& out) {
+        for (std::size_t i = first; i < last; ++i) f(i, out);
+      },
+      block);
 }
 
 /// The same without the runs for which near(first, last, box) is false.
