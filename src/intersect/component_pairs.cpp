@@ -1,14 +1,18 @@
 #include "intersect/component_pairs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "core/blocks.hpp"
 #include "core/distinct.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace meshgraft {
 namespace {
 
-constexpr double kReach = 3;  // snap lengths: two that count as near, and one by which a vertex may move
+constexpr double kReach = 3;              // snap lengths: two that count as near, and one by which a vertex may move
+constexpr std::size_t kFaceBlock = 1024;  // faces compared with the tree in one go
 
 std::size_t n_components(const Complex& complex) {
   const auto last = std::max_element(complex.component.begin(), complex.component.end());
@@ -35,15 +39,21 @@ std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double
     if (complex.component[f] != largest) in_tree.push_back(boxes[f]), tree_face.emplace_back(f);
   }
   const BoxTree tree(in_tree);
-  for (std::size_t f = 0; f < boxes.size(); ++f) {
-    const std::uint32_t c = complex.component[f];
-    tree.overlapping(boxes[f], [&](std::uint32_t i) {
-      const FaceId g = tree_face[i];
-      const std::uint32_t d = complex.component[g.value];
-      if (c == d || !complex.joins.are_joined(c, d)) return;
-      near[std::max(c, d)].own.push_back(c > d ? FaceId(f) : g);
-      near[std::max(c, d)].earlier.push_back(c > d ? g : FaceId(f));
-    });
+  const auto pairs = collected<std::array<FaceId, 2>>(
+      boxes.size(),
+      [&](std::size_t f, auto& out) {
+        const std::uint32_t c = complex.component[f];
+        tree.overlapping(boxes[f], [&](std::uint32_t i) {
+          const std::uint32_t d = complex.component[tree_face[i].value];
+          if (c != d && complex.joins.are_joined(c, d)) out.push_back({FaceId(f), tree_face[i]});
+        });
+      },
+      kFaceBlock);
+  for (const auto& [f, g] : pairs) {
+    const bool first_is_later = complex.component[f.value] > complex.component[g.value];
+    const auto [own, earlier] = first_is_later ? std::pair{f, g} : std::pair{g, f};
+    NearFaces& of_later = near[complex.component[own.value]];
+    of_later.own.push_back(own), of_later.earlier.push_back(earlier);
   }
   for (NearFaces& n : near) make_distinct(n.earlier), make_distinct(n.own);
   return near;

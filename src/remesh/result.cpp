@@ -4,10 +4,13 @@
 #include <compare>
 #include <span>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kProjectBlock = 256;  // vertices or faces projected in one go
 
 class Writer {
  public:
@@ -19,6 +22,7 @@ class Writer {
     collect_curve_edges();
     write_lines_first();
     number_vertices();
+    find_faces_beneath();
     for (std::size_t v = 0; v < mesh().n_vertices(); ++v)
       if (id_[v].valid()) write_vertex(VertexId(v));
     write_faces();
@@ -133,7 +137,7 @@ class Writer {
   GroupSetId groups_beneath(VertexId id) {
     const LocalVertex& v = mesh().vertex(id);
     if (!v.curve.valid()) {
-      const FaceId f = editor_.reference().project(v.sheet, v.position, v.beneath).face;
+      const FaceId f = beneath_vertex_[id.value];
       return common_groups(complex_.face[f.value], f);
     }
     const auto& chain = brep_.curves[v.curve.value].chain;
@@ -167,7 +171,8 @@ class Writer {
       const LocalFace& face = mesh().face(f);
       if (!face.alive) continue;
       const std::array<VertexId, 3> v{id_[face.v[0].value], id_[face.v[1].value], id_[face.v[2].value]};
-      const FaceId id = out().add_face(v, complex_, is_changed(f) ? parent_beneath(f) : f);
+      const FaceId id = out().add_face(v, complex_, beneath_face_[k].face);
+      deviation_.add(beneath_face_[k].deviation);
       result_.in_zone.push_back(mesh().is_new(f) ? 1 : in_zone_[k]);
       if (face.in_zone && face.q < editor_.options().min_quality)
         result_.bad.push_back({id, face.q, cause_of(editor_, f)});
@@ -181,37 +186,73 @@ class Writer {
            std::ranges::any_of(mesh().face(f).v, [&](VertexId v) { return mesh().vertex(v).moved; });
   }
 
-  /// The face of the complex beneath the centroid; how far off the new face lies is noted.
-  FaceId parent_beneath(FaceId f) {
+  /// How far the mesh is off the reference at most.
+  struct Deviation {
+    double most = 0, relative = 0;  // over the local edge length
+    Vec3 at;                        // of the most
+
+    void add(const Deviation& other) {
+      relative = std::max(relative, other.relative);
+      if (other.most > most) most = other.most, at = other.at;
+    }
+  };
+
+  struct Beneath {
+    FaceId face;  // of the complex
+    Deviation deviation;
+  };
+
+  /// Of all vertices and faces that are written; each by itself.
+  void find_faces_beneath() {
+    beneath_vertex_.resize(mesh().n_vertices()), beneath_face_.resize(mesh().n_faces());
+    for_blocks(
+        mesh().n_vertices(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t k = first; k < last; ++k) {
+            const LocalVertex& v = mesh().vertex(VertexId(k));
+            if (id_[k].valid() && (mesh().is_new(VertexId(k)) || v.moved) && !v.curve.valid())
+              beneath_vertex_[k] = editor_.reference().project(v.sheet, v.position, v.beneath).face;
+          }
+        },
+        kProjectBlock);
+    for_blocks(
+        mesh().n_faces(),
+        [&](std::size_t first, std::size_t last) {
+          for (FaceId f(first); f.value < last; ++f.value)
+            if (mesh().face(f).alive) beneath_face_[f.value] = is_changed(f) ? beneath(f) : Beneath{f, {}};
+        },
+        kProjectBlock);
+  }
+
+  /// The face of the complex beneath the centroid.
+  [[nodiscard]] Beneath beneath(FaceId f) const {
     const LocalFace& face = mesh().face(f);
     const Triangle t = mesh().corners(f);
     FaceId hint;
     for (const VertexId v : face.v)
       if (mesh().vertex(v).dimension == Dimension::kSheet) hint = mesh().vertex(v).beneath;
     const Foot foot = editor_.reference().project(face.sheet, centroid(t), hint);
-    note(foot.distance, mean_edge_length(t), centroid(t));
+    Beneath result{foot.face, {foot.distance, foot.distance / mean_edge_length(t), centroid(t)}};
     if (!mesh().sheet(face.sheet).planar)
       for (std::size_t k = 0; k < 3; ++k) {
         if (face.curve[k].valid()) continue;
         const Vec3 p = midpoint(t[k], t[(k + 1) % 3]);
-        note(editor_.reference().project(face.sheet, p, foot.face).distance, distance(t[k], t[(k + 1) % 3]), p);
+        const double d = editor_.reference().project(face.sheet, p, foot.face).distance;
+        result.deviation.add({d, d / distance(t[k], t[(k + 1) % 3]), p});
       }
-    return foot.face;
-  }
-
-  void note(double deviation, double length, Vec3 at) {
-    result_.max_deviation_relative = std::max(result_.max_deviation_relative, deviation / length);
-    if (deviation <= result_.max_deviation) return;
-    result_.max_deviation = deviation, result_.deviation_at = at;
+    return result;
   }
 
   void measure_curves() {
     for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
       if (editor_.reference().polyline(CurveId(c)).empty()) continue;
-      for (const CurveEdge& e : edges_[c])
-        note(editor_.reference().sagitta(CurveId(c), e.from, e.to), editor_.length(e.a, e.b),
-             midpoint(mesh().position(e.a), mesh().position(e.b)));
+      for (const CurveEdge& e : edges_[c]) {
+        const double d = editor_.reference().sagitta(CurveId(c), e.from, e.to);
+        deviation_.add({d, d / editor_.length(e.a, e.b), midpoint(mesh().position(e.a), mesh().position(e.b))});
+      }
     }
+    result_.max_deviation = deviation_.most, result_.max_deviation_relative = deviation_.relative;
+    result_.deviation_at = deviation_.at;
   }
 
   Editor& editor_;
@@ -222,6 +263,9 @@ class Writer {
   std::vector<std::vector<CurveEdge>> edges_;  // by curve
   std::vector<Complex::Line> lines_;           // with vertices of the working mesh
   std::vector<VertexId> id_;                   // by vertex of the working mesh, in the result
+  std::vector<FaceId> beneath_vertex_;         // by new vertex of a sheet
+  std::vector<Beneath> beneath_face_;          // by face
+  Deviation deviation_;
   Remeshed result_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 #include "zone/parents.hpp"
@@ -13,9 +14,10 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kSideSine = 0.1;     // how far off its curve a way must lead to count as inside the sheet
-constexpr double kSampleShare = 0.5;  // of the size: longest piece of curve looked at as one
-constexpr int kMaxHalvings = 10;      // of such a piece
+constexpr double kSideSine = 0.1;       // how far off its curve a way must lead to count as inside the sheet
+constexpr double kSampleShare = 0.5;    // of the size: longest piece of curve looked at as one
+constexpr int kMaxHalvings = 10;        // of such a piece
+constexpr std::size_t kSideBlock = 64;  // sides looked from in one go
 
 /// One edge of one face of a sheet on a curve; or a corner inside the sheet (a == b, no curve).
 struct Side {
@@ -74,9 +76,8 @@ class Arcs {
 class SheetGaps {
  public:
   SheetGaps(const std::vector<Side>& sides, const Arcs& arcs, const SizeOptions& options,
-            const std::function<double(Vec3)>& size, const std::function<double(Vec3)>& plain,
-            std::vector<SizeLimit>& result)
-      : sides_(sides), arcs_(arcs), options_(options), size_(size), plain_(plain), result_(result) {
+            const std::function<double(Vec3)>& size, const std::function<double(Vec3)>& plain)
+      : sides_(sides), arcs_(arcs), options_(options), size_(size), plain_(plain) {
     std::vector<Box> boxes;
     for (const Side& side : sides) {
       Box& box = boxes.emplace_back();
@@ -85,21 +86,21 @@ class SheetGaps {
     tree_ = BoxTree(boxes);
   }
 
-  void look_from(const Side& side) {
-    if (side.curve.valid()) look(side, 0, 1, 0);
+  void look_from(const Side& side, std::vector<SizeLimit>& result) const {
+    if (side.curve.valid()) look(side, 0, 1, 0, result);
   }
 
  private:
   /// Looks from the middle of a piece of a side, and closer where that is narrow.
-  void look(const Side& side, double t0, double t1, int depth) {
+  void look(const Side& side, double t0, double t1, int depth, std::vector<SizeLimit>& result) const {
     const double t = 0.5 * (t0 + t1), length = (t1 - t0) * distance(side.a, side.b);
     const Vec3 x = lerp(side.a, side.b, t);
     const double around = size_(x), allowed = allowed_at(side, t, x, around);
     if (length > kSampleShare * std::min(around, allowed) && depth < kMaxHalvings) {
-      look(side, t0, t, depth + 1);
-      look(side, t, t1, depth + 1);
+      look(side, t0, t, depth + 1, result);
+      look(side, t, t1, depth + 1, result);
     } else if (allowed < around) {
-      result_.push_back({lerp(side.a, side.b, t0), lerp(side.a, side.b, t1), allowed, allowed});
+      result.push_back({lerp(side.a, side.b, t0), lerp(side.a, side.b, t1), allowed, allowed});
     }
   }
 
@@ -133,7 +134,6 @@ class SheetGaps {
   const SizeOptions& options_;
   const std::function<double(Vec3)>& size_;
   const std::function<double(Vec3)>& plain_;
-  std::vector<SizeLimit>& result_;
   BoxTree tree_;
 };
 
@@ -181,8 +181,10 @@ std::vector<SizeLimit> narrow_places(const Complex& complex, const Brep& brep, c
     const std::vector<Side> sides = sides_of(brep.sheets[s], complex, brep, arcs, parents, area_vector, on_curve);
     const std::function<double(Vec3)> here = [&](Vec3 p) { return size(SheetId(s), p); };
     const std::function<double(Vec3)> plain_here = [&](Vec3 p) { return plain(SheetId(s), p); };
-    SheetGaps gaps(sides, arcs, options, here, plain_here, result);
-    for (const Side& side : sides) gaps.look_from(side);
+    const SheetGaps gaps(sides, arcs, options, here, plain_here);
+    const auto narrow = collected<SizeLimit>(
+        sides.size(), [&](std::size_t i, std::vector<SizeLimit>& out) { gaps.look_from(sides[i], out); }, kSideBlock);
+    result.insert(result.end(), narrow.begin(), narrow.end());
   }
   return result;
 }

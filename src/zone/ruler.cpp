@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "geometry/closest.hpp"
 
 namespace meshgraft {
 namespace {
 
-constexpr double kSampleStep = 0.125;  // share of the size between two samples of it where it changes
-constexpr double kSteadyStep = 0.5;    // and where it does not
-constexpr double kSteady = 0.1;        // relative change between two samples up to which it does not
-constexpr double kTie = 1 + 1e-7;      // see its uses
-constexpr int kMaxHalvings = 12;       // of a sample interval
-constexpr int kMaxRounds = 24;         // of refinement for the sagitta; each at least mends the worst piece
+constexpr std::size_t kSizeBlock = 64;  // points or segments at which the size is asked for in one go
+constexpr double kSampleStep = 0.125;   // share of the size between two samples of it where it changes
+constexpr double kSteadyStep = 0.5;     // and where it does not
+constexpr double kSteady = 0.1;         // relative change between two samples up to which it does not
+constexpr double kTie = 1 + 1e-7;       // see its uses
+constexpr int kMaxHalvings = 12;        // of a sample interval
+constexpr int kMaxRounds = 24;          // of refinement for the sagitta; each at least mends the worst piece
 
 /// Wanted size along the curve; 1 / size is linear between samples.
 struct Sampling {
@@ -64,28 +66,40 @@ class Ruler {
  private:
   [[nodiscard]] Vec3 at(double s) const { return point_at(polyline_, arc_, s); }
 
+  struct Sample {
+    double s, size;
+  };
+
   /// Samples the size on every segment, symmetrically, so that it changes little between neighbours.
   void sample() {
-    sampling_.s = {0}, sampling_.size = {size_(0, polyline_.front())};
-    for (std::size_t i = 1; i < arc_.size(); ++i) {
-      if (arc_[i] <= arc_[i - 1]) continue;
-      halve(arc_[i - 1], sampling_.size.back(), arc_[i], size_(arc_[i], polyline_[i]), 0);
-    }
+    std::vector<double> size(arc_.size());  // by point of the polyline
+    for_blocks(
+        size.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) size[i] = size_(arc_[i], polyline_[i]);
+        },
+        kSizeBlock);
+    const auto samples = collected<Sample>(
+        arc_.size() - 1,
+        [&](std::size_t i, std::vector<Sample>& out) {
+          if (arc_[i] < arc_[i + 1]) halve({arc_[i], size[i]}, {arc_[i + 1], size[i + 1]}, 0, out);
+        },
+        kSizeBlock);
+    sampling_.s = {0}, sampling_.size = {size.front()};
+    for (const Sample& sample : samples) sampling_.s.push_back(sample.s), sampling_.size.push_back(sample.size);
     sampling_.integrate();
   }
 
-  void halve(double s0, double size0, double s1, double size1, int depth) {
+  void halve(Sample a, Sample b, int depth, std::vector<Sample>& out) const {
     // Lengths and shares of sizes are often equal by design; rounding shall not decide then.
-    const double length = (s1 - s0) * kTie, least = std::min(size0, size1);
-    const bool steady = depth > 0 && length <= kSteadyStep * least && std::abs(size1 - size0) <= kSteady * least;
+    const double length = (b.s - a.s) * kTie, least = std::min(a.size, b.size);
+    const bool steady = depth > 0 && length <= kSteadyStep * least && std::abs(b.size - a.size) <= kSteady * least;
     const bool fine = length <= kSampleStep * least || steady;
-    if (fine || depth == kMaxHalvings) {
-      sampling_.s.push_back(s1), sampling_.size.push_back(size1);
-      return;
-    }
-    const double s = 0.5 * (s0 + s1), size = size_(s, at(s));
-    halve(s0, size0, s, size, depth + 1);
-    halve(s, size, s1, size1, depth + 1);
+    if (fine || depth == kMaxHalvings) return out.push_back(b);
+    const double s = 0.5 * (a.s + b.s);
+    const Sample middle{s, size_(s, at(s))};
+    halve(a, middle, depth + 1, out);
+    halve(middle, b, depth + 1, out);
   }
 
   /// Even spacing between each two stops.

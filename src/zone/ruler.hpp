@@ -18,7 +18,7 @@ struct RulerOptions {
 /// ascending; the first is 0, the last the length).
 ///
 ///   polyline   at least 2 points; for a closed curve the last equals the first
-///   size       wanted edge length at arc length s and point p, > 0
+///   size       wanted edge length at arc length s and point p, > 0; asked for at several places at the same time
 ///
 ///  (1) Spacing is even in units of `size`: with m = the integral of ds / size over a piece, m is the
 ///      same for all pieces, up to 5 %.
