@@ -7,6 +7,7 @@
 #   make soak      the laws on new random scenes, SCENES (1000) each; prints the seed of each failure
 #   make bench     measure speed and memory, beside CGAL doing the same
 #   make validation  analyse merged meshes and meshes made from CAD, side by side
+#   make method    lay the methods of filling beside each other (docs/method.md)
 #   make format    lay out the sources with clang-format
 #   make lint      names and common mistakes, with clang-tidy
 #   make clean     remove build/
@@ -16,7 +17,7 @@ SCENES := 1000
 SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'validation/*.[ch]pp' \
   'tools/*.[ch]pp' 'examples/*.cpp')
 
-.PHONY: demo test build sanitize soak bench validation format lint clean packages
+.PHONY: demo test build sanitize soak bench validation method format lint clean packages
 .DEFAULT_GOAL := build
 
 demo: build/release/build.ninja
@@ -52,6 +53,10 @@ validation:
 	cmake --preset release
 	cmake --build build/release --target meshgraft_cli meshgraft_study
 	validation/run build/release build/validation
+
+method: build/release/build.ninja
+	cmake --build build/release --target meshgraft_methods meshgraft_draw
+	validation/run-methods build/release build/method
 
 format:
 	tools/install-packages lint
