@@ -1,8 +1,8 @@
 #include "merge/report_summary.hpp"
 
-#include <sys/resource.h>
-
 #include <algorithm>
+#include <fstream>
+#include <string>
 
 #include "merge/junction_summary.hpp"
 #include "merge/labels.hpp"
@@ -69,10 +69,12 @@ void summarise(const Outcome& outcome, Report& report) {
 }
 
 std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  constexpr std::uint64_t kUnit = 1024;  // ru_maxrss counts kibibytes on Linux
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
+  // ru_maxrss would do, if it did not begin with the memory of the process that started this one.
+  constexpr std::uint64_t kUnit = 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (std::uint64_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) return kibibytes * kUnit;
+  return 0;
 }
 
 }  // namespace meshgraft
