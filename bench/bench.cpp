@@ -9,8 +9,10 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <optional>
 
 #include "bench_scenes.hpp"
@@ -65,6 +67,20 @@ Files files_of(const State& state) {
   return files;
 }
 
+double seconds_of(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Processor time of this process so far, of all threads, in user code and in the system.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return seconds_of(usage);
+}
+
 void report_quality(State& state, std::vector<double> q) {
   const auto below = std::count_if(q.begin(), q.end(), [](double value) { return value < 0.5; });
   double sum = 0;
@@ -78,12 +94,14 @@ void report_quality(State& state, std::vector<double> q) {
 
 void merge_arrays(State& state, const Scene& scene) {
   for (auto _ : state) {
+    const double start = cpu_seconds();
     const Result<Merged> merged = merge(scene.base, scene.parts);
     if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
     Model result = apply(scene.base, scene.parts, *merged);
     benchmark::DoNotOptimize(result);
 
     state.PauseTiming();
+    state.counters["cpu"] = cpu_seconds() - start;
     const Report& report = merged->report;
     for (const auto& [stage, seconds] : report.timings) state.counters["s:" + stage] = seconds;
     std::vector<double> q;
@@ -103,13 +121,16 @@ const Scene& grid_of(const State& state) {
 /// Each stiffener of the grid joined to the plate without the others.
 void merge_singly(State& state) {
   const Scene& scene = grid_of(state);
-  for (auto _ : state)
+  for (auto _ : state) {
+    const double start = cpu_seconds();
     for (const Model& part : scene.parts) {
       const Result<Merged> merged = merge(scene.base, std::span(&part, 1));
       if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
       Model result = apply(scene.base, std::span(&part, 1), *merged);
       benchmark::DoNotOptimize(result);
     }
+    state.counters["cpu"] = cpu_seconds() - start;
+  }
 }
 
 Triangles triangles_of(const Model& model) {
@@ -146,17 +167,22 @@ void merge_with_peer(State& state, bool conforming) {
   }
 }
 
-/// Runs a program to its end; its exit status and peak resident memory in bytes.
-std::pair<int, std::uint64_t> run(const std::vector<std::string>& arguments) {
+struct Ran {
+  int exit_status = -1;
+  double cpu_seconds = 0;  // of all threads, in user code and in the system
+};
+
+/// Runs a program to its end.
+Ran run(const std::vector<std::string>& arguments) {
   std::vector<char*> argv;
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
   pid_t child = 0;
-  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return {-1, 0};
+  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return {};
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, seconds_of(usage)};
 }
 
 /// An output that replaces a file is flushed to the disk, which is not what is to be measured.
@@ -166,20 +192,32 @@ void remove_output(State& state, const Files& files) {
   state.ResumeTiming();
 }
 
+/// Bytes, from a report; the system counts the memory of this process among that of those it starts.
+double peak_memory(const fs::path& report) {
+  const std::string key = "\"peak_memory_bytes\":";
+  std::ifstream file(report);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::size_t at = text.find(key);
+  return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + key.size(), nullptr);
+}
+
 void run_program(State& state) {
   const Files files = files_of(state);
-  std::uint64_t peak = 0;
+  const std::vector<std::string> command{
+      program.string(), "merge", files.base.string(), files.part.string(), "-q", "-o", files.output.string()};
   for (auto _ : state) {
     remove_output(state, files);
-    const auto [status, memory] =
-        run({program.string(), "merge", files.base.string(), files.part.string(), "-o", files.output.string(), "-q"});
-    if (status != 0) return state.SkipWithError(("exit status " + std::to_string(status)).c_str());
-    peak = std::max(peak, memory);
+    const Ran ran = run(command);
+    if (ran.exit_status != 0) return state.SkipWithError(("exit status " + std::to_string(ran.exit_status)).c_str());
+    state.counters["cpu"] = ran.cpu_seconds;
   }
-  const auto bytes = files.input_bytes();
-  state.counters["bytes"] = static_cast<double>(bytes);
-  state.counters["bytes_per_face"] =
-      (static_cast<double>(peak) - static_cast<double>(bytes)) / static_cast<double>(state.range(0));
+  const fs::path report = directory / "report.json";
+  std::vector<std::string> with_report = command;
+  with_report.insert(with_report.end(), {"--report", report.string()});
+  if (run(with_report).exit_status != 0) return state.SkipWithError("no report");
+  const auto bytes = static_cast<double>(files.input_bytes());
+  state.counters["bytes"] = bytes;
+  state.counters["bytes_per_face"] = (peak_memory(report) - bytes) / static_cast<double>(state.range(0));
 }
 
 void run_cp(State& state) {
@@ -187,9 +225,14 @@ void run_cp(State& state) {
   const std::string copy_of_part = files.output.string() + ".part";
   for (auto _ : state) {
     remove_output(state, files);
-    if (run({"cp", files.base.string(), files.output.string()}).first != 0 ||
-        run({"cp", files.part.string(), copy_of_part}).first != 0)
-      return state.SkipWithError("cp failed");
+    double cpu = 0;
+    for (const auto& [from, to] :
+         {std::pair{files.base.string(), files.output.string()}, std::pair{files.part.string(), copy_of_part}}) {
+      const Ran ran = run({"cp", from, to});
+      if (ran.exit_status != 0) return state.SkipWithError("cp failed");
+      cpu += ran.cpu_seconds;
+    }
+    state.counters["cpu"] = cpu;
   }
   state.counters["bytes"] = static_cast<double>(files.input_bytes());
 }
@@ -197,9 +240,11 @@ void run_cp(State& state) {
 void read_file(State& state) {
   const Files files = files_of(state);
   for (auto _ : state) {
+    const double start = cpu_seconds();
     const Result<Model> model = read_unv(files.base.string());
     if (!model) return state.SkipWithError(to_string(model.error()).c_str());
     benchmark::DoNotOptimize(model->position.data());
+    state.counters["cpu"] = cpu_seconds() - start;
   }
   state.counters["bytes"] = static_cast<double>(fs::file_size(files.base));
 }
@@ -213,8 +258,10 @@ void write_merged(State& state) {
   if (!merged) return state.SkipWithError(to_string(merged.error()).c_str());
   for (auto _ : state) {
     remove_output(state, files);
+    const double start = cpu_seconds();
     if (!write_unv(*base, std::span(&*part, 1), *merged, files.output.string(), merged->report))
       return state.SkipWithError("cannot write");
+    state.counters["cpu"] = cpu_seconds() - start;
   }
   state.counters["bytes"] = static_cast<double>(fs::file_size(files.output));
 }

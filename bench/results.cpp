@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <set>
 
 namespace meshgraft::bench {
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kMillion = 1e6;
 const std::string kStage = "s:";  // prefix of the counters that are stages
+const std::string kCpu = "cpu";   // seconds of all threads; the least of all runs is kept
 
 double counter(const Results::Measured* m, const std::string& name) {
   const auto it = m->counters.find(name);
@@ -25,7 +27,10 @@ void Results::ReportRuns(const std::vector<Run>& runs) {
     for (const auto& [name, value] : run.counters) measured.counters[name] = value.value;
     const auto key = std::pair(run.run_name.function_name, std::stol(run.run_name.args));
     const auto [it, fresh] = best_.try_emplace(key, measured);
-    if (!fresh && measured.seconds < it->second.seconds) it->second = measured;
+    if (fresh) continue;
+    const double cpu = std::min(counter(&measured, kCpu), counter(&it->second, kCpu));
+    if (measured.seconds < it->second.seconds) it->second = measured;
+    it->second.counters[kCpu] = cpu;
   }
 }
 
@@ -35,18 +40,18 @@ const Results::Measured* Results::find(const std::string& what, long n_faces) co
 }
 
 void Results::print_program_table() const {
-  fmt::print("\nFrom files to file: the program, beside cp of the bytes it reads\n");
+  fmt::print("\nFrom files to file: the program, beside cp of the bytes it reads; processor time of all threads\n");
   fmt::print("{:>9} {:>8} {:>9} {:>9} {:>7} {:>11} {:>10} {:>10}\n", "faces", "MB", "cp ms", "merge ms", "ratio",
              "B/face peak", "read MB/s", "write MB/s");
   for (const auto& [key, program] : best_) {
     if (key.first != "program") continue;
     const Measured *cp = find("cp", key.second), *read = find("read", key.second), *write = find("write", key.second);
     if (!cp || !read || !write) continue;
-    const double bytes = counter(&program, "bytes");
+    const double cpu = counter(&program, kCpu), cp_cpu = counter(cp, kCpu);
     fmt::print("{:>9} {:>8.1f} {:>9.1f} {:>9.1f} {:>7.2f} {:>11.0f} {:>10.0f} {:>10.0f}\n", key.second,
-               bytes / kMillion, cp->seconds * 1e3, program.seconds * 1e3, program.seconds / cp->seconds,
-               counter(&program, "bytes_per_face"), counter(read, "bytes") / kMillion / read->seconds,
-               counter(write, "bytes") / kMillion / write->seconds);
+               counter(&program, "bytes") / kMillion, cp_cpu * 1e3, cpu * 1e3, cpu / cp_cpu,
+               counter(&program, "bytes_per_face"), counter(read, "bytes") / kMillion / counter(read, kCpu),
+               counter(write, "bytes") / kMillion / counter(write, kCpu));
   }
 }
 
@@ -72,15 +77,17 @@ void Results::print_array_table() const {
 }
 
 void Results::print_grid_table() const {
-  fmt::print("\nGrid of crossing stiffeners, arrays to arrays: all in one call, beside each alone\n");
+  fmt::print("\nGrid of crossing stiffeners, arrays to arrays: all in one call, beside each alone; processor time\n");
   fmt::print("{:>9} {:>10} {:>9} {:>9} {:>7} {:>8} {:>7}\n", "faces", "new faces", "grid ms", "singly ms", "ratio",
              "min Q", "mean");
   for (const auto& [key, grid] : best_) {
     if (key.first != "grid") continue;
-    if (const Measured* singly = find("grid_singly", key.second))
-      fmt::print("{:>9} {:>10.0f} {:>9.1f} {:>9.1f} {:>7.2f} {:>8.3f} {:>7.3f}\n", key.second,
-                 counter(&grid, "new_faces"), grid.seconds * 1e3, singly->seconds * 1e3, grid.seconds / singly->seconds,
-                 counter(&grid, "min_q"), counter(&grid, "mean_q"));
+    const Measured* singly = find("grid_singly", key.second);
+    if (!singly) continue;
+    const double cpu = counter(&grid, kCpu), singly_cpu = counter(singly, kCpu);
+    fmt::print("{:>9} {:>10.0f} {:>9.1f} {:>9.1f} {:>7.2f} {:>8.3f} {:>7.3f}\n", key.second,
+               counter(&grid, "new_faces"), cpu * 1e3, singly_cpu * 1e3, cpu / singly_cpu, counter(&grid, "min_q"),
+               counter(&grid, "mean_q"));
   }
 }
 
