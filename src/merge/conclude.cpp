@@ -35,15 +35,16 @@ std::vector<int> by_input(const std::vector<int>& bandwidth, const Components& c
 void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
            Report& report) {
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
-  std::vector<Error> findings;
+  ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;
-  tbb::parallel_invoke([&] { findings = check_result(outcome, translated, options.tolerance); },
+  tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] {
                          quality = quality_of(outcome, remeshed.bad, options.min_quality);
                          fidelity = fidelity_of(outcome, options.tolerance);
                        });
-  append(report.broken_promises, std::move(findings));
+  append(report.broken_promises, std::move(result.broken));
+  append(report.warnings, std::move(result.warnings));
   report.quality = std::move(quality.summary);
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));

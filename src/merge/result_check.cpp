@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "check/face_pairs.hpp"
 #include "geometry/quality.hpp"
@@ -43,13 +44,13 @@ class ResultCheck {
         tolerance_(tolerance),
         limits_(limits) {}
 
-  std::vector<Error> run() {
+  ResultVerdict run() {
     intersections();
     duplicates();
     free_edges();
     parents();
     lost_nodes();
-    return std::move(errors_);
+    return {std::move(errors_), std::move(warnings_)};
   }
 
  private:
@@ -84,10 +85,29 @@ class ResultCheck {
     if (pairs.empty()) return;
     const std::vector<ParentPair> excused = met_before();
     Findings findings(errors_, limits_.max_listed);
+    std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)
-      if (!std::ranges::binary_search(excused, parents_of(complex_, pair)) && !are_two_layers(pair[0], pair[1]))
+      if (std::ranges::binary_search(excused, parents_of(complex_, pair)))
+        met.push_back(pair);
+      else if (!are_two_layers(pair[0], pair[1]))
         findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",
                      outcome_.parent_place(pair[0]));
+    warn("input-intersects", met, " intersect in the input, and still do");
+  }
+
+  /// One warning for all pairs, with the parents of the first.
+  void warn(const std::string& name, std::span<const std::array<FaceId, 2>> pairs, const std::string& what) {
+    if (pairs.empty()) return;
+    const auto& [a, b] = pairs.front();
+    const auto parent = [&](FaceId f) { return text_of(outcome_.inputs, complex_.parent[f.value]); };
+    std::string text = parent(a) + " and " + parent(b) + " at " + text_of(centroid(complex_.corners(b))) + what;
+    if (pairs.size() > 1) text += "; so do " + std::to_string(pairs.size() - 1) + " more pairs";
+    warnings_.push_back({name, std::move(text), outcome_.parent_place(b)});
+  }
+
+  /// Whether something at a corner of the face changed.
+  [[nodiscard]] bool is_at_zone(FaceId f, std::span<const std::uint8_t> changed) const {
+    return std::ranges::any_of(complex_.face[f.value], [&](VertexId v) { return changed[v.value] != 0; });
   }
 
   void duplicates() {
@@ -99,13 +119,18 @@ class ResultCheck {
     }
     std::sort(keys.begin(), keys.end());
     Findings findings(errors_, limits_.max_listed);
+    const std::vector<std::uint8_t> changed = changed_vertices(outcome_);
+    std::vector<std::array<FaceId, 2>> left;
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
-      if (keys[k - 1].first != keys[k].first || (!outcome_.is_changed(a) && !outcome_.is_changed(b))) continue;
-      if (!are_two_layers(a, b))
+      if (keys[k - 1].first != keys[k].first || are_two_layers(a, b)) continue;
+      if (outcome_.is_changed(a) || outcome_.is_changed(b))
         findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
                      outcome_.parent_place(b));
+      else if (is_at_zone(a, changed))
+        left.push_back({a, b});
     }
+    warn("doubled-face", left, " stand on the same nodes and were left as they are");
   }
 
   void free_edges() {
@@ -162,12 +187,13 @@ class ResultCheck {
   const Tolerance& tolerance_;
   const ResultCheckLimits& limits_;
   std::vector<Error> errors_;
+  std::vector<Warning> warnings_;
 };
 
 }  // namespace
 
-std::vector<Error> check_result(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
-                                const ResultCheckLimits& limits) {
+ResultVerdict check_result(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
+                           const ResultCheckLimits& limits) {
   return ResultCheck(outcome, translated, tolerance, limits).run();
 }
 

@@ -17,7 +17,12 @@ struct ResultCheckLimits {
   std::size_t max_listed = 10;
 };
 
-/// All findings, as kPromiseBroken with labels and places.
+struct ResultVerdict {
+  std::vector<Error> broken;      // kPromiseBroken with labels and places
+  std::vector<Warning> warnings;  // faults of the inputs that the merge left where they were
+};
+
+/// All findings.
 ///
 ///  (1) No two faces meet but in shared nodes and edges, unless their parents, of one input, did.
 ///  (2) No two elements lie on the same three nodes.
@@ -25,7 +30,10 @@ struct ResultCheckLimits {
 ///      another free edge or on the junction.
 ///  (4) New faces are oriented as their parents, and are in their groups.
 ///  (5) No node that other elements need is gone.
-[[nodiscard]] std::vector<Error> check_result(const Outcome& outcome, SetTranslation& translated,
-                                              const Tolerance& tolerance, const ResultCheckLimits& limits = {});
+///
+/// Warnings are: doubled-face, where two faces of an input at the zone are on the same nodes (both were left as they
+/// are), and input-intersects, where faces of the zone intersect because their parents did.
+[[nodiscard]] ResultVerdict check_result(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
+                                         const ResultCheckLimits& limits = {});
 
 }  // namespace meshgraft

@@ -18,10 +18,12 @@ Model plate(Vec3 origin = {0, 0, 0}, const std::string& group = "PLATE") {
   return scenes::plate(origin, {4, 0, 0}, {0, 4, 0}, 1, group);
 }
 
-std::vector<Error> findings(HandMade& m) {
+ResultVerdict verdict_of(HandMade& m) {
   m.stitch_now();
   return check_result(m.outcome(), m.translated, Tolerance{});
 }
+
+std::vector<Error> findings(HandMade& m) { return verdict_of(m).broken; }
 
 bool says(const std::vector<Error>& errors, const std::string& words) {
   return std::ranges::any_of(errors, [&](const Error& e) {
@@ -105,8 +107,32 @@ TEST(ResultCheck, FacesThatIntersectAreNamedWithLabelsAndPlace) {
 TEST(ResultCheck, IntersectionsThatTheInputHadAreNotHeldAgainstTheMerge) {
   const std::array<Model, 2> crossing{plate(), scenes::plate({0.3, 2.2, -1}, {3, 0, 0}, {0, 0, 2}, 1, "RIB")};
   HandMade m({scenes::together(crossing)});
-  m.split_face(FaceId(std::size_t{17}));
-  EXPECT_TRUE(findings(m).empty());
+  m.split_face(FaceId(std::size_t{18}));  // the rib passes through it
+  const ResultVerdict verdict = verdict_of(m);
+  EXPECT_TRUE(verdict.broken.empty());
+  ASSERT_EQ(verdict.warnings.size(), 1u);
+  EXPECT_EQ(verdict.warnings[0].name, "input-intersects");
+}
+
+TEST(ResultCheck, FacesThatTheInputHasTwiceAreNamedWhereTheyAreBesideNewOnes) {
+  Model twice = plate();
+  ModelBuilder builder;
+  for (const Vec3 p : twice.position) builder.add_node(p);
+  for (std::size_t e = 0; e < twice.n_elements(); ++e) {
+    const auto n = twice.nodes_of(ElementId(e));
+    builder.add_face(n[0], n[1], n[2]);
+    if (e == 6) builder.add_face(n[0], n[1], n[2]);
+  }
+  const Model model = builder.build("twice");
+  HandMade far({model});
+  far.split_face(FaceId(std::size_t{32}));
+  EXPECT_TRUE(verdict_of(far).warnings.empty());
+  HandMade beside({model});
+  beside.split_face(FaceId(std::size_t{5}));
+  const ResultVerdict verdict = verdict_of(beside);
+  EXPECT_TRUE(verdict.broken.empty());
+  ASSERT_EQ(verdict.warnings.size(), 1u);
+  EXPECT_EQ(verdict.warnings[0].name, "doubled-face");
 }
 
 TEST(ResultCheck, TwoFacesOnTheSameNodesAreNoticed) {
