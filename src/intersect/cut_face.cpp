@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "geometry/quality.hpp"
+#include "intersect/plane.hpp"
 #include "intersect/polygon.hpp"
 
 namespace meshgraft {
@@ -14,25 +15,9 @@ namespace {
 
 using Local = std::uint32_t;  // position in the list of points of the face
 
-/// Drops one coordinate such that the face stays counter-clockwise and as large as possible.
-class Projection {
- public:
-  explicit Projection(const Triangle& t) {
-    const Vec3 n = area_vector(t);
-    const Vec3 size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-    const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    u_ = (axis + 1) % 3, v_ = (axis + 2) % 3;
-    if (n[axis] < 0) std::swap(u_, v_);
-  }
-  [[nodiscard]] Vec2 operator()(Vec3 p) const { return {p[u_], p[v_]}; }
-
- private:
-  std::size_t u_ = 0, v_ = 1;
-};
-
 class Graph {
  public:
-  Graph(const FaceToCut& face, std::span<const Vec3> position) : to_plane_(corners(face, position)) {
+  Graph(const FaceToCut& face, std::span<const Vec3> position) : to_plane_(area_vector(corners(face, position))) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t line = 1u << k, previous_line = 1u << (k + 2) % 3;
       add_point(face.corner[k], position, line | previous_line);
@@ -195,7 +180,7 @@ class Graph {
            p.y <= std::max(q.y, r.y);
   }
 
-  Projection to_plane_;
+  Plane to_plane_;
   std::vector<PolygonCorner> points_;  // the border first, in order
   Local n_border_ = 0;
   std::vector<std::vector<Local>> next_;  // ways out of each point; outer sides of the border are not there

@@ -8,15 +8,7 @@
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
-namespace {
 
-std::size_t n_in_contact(const LyingMeeting& l, std::size_t s, LocalEdge e) {
-  const auto faces = l.meeting.side[s].faces_at_edge(e);
-  return static_cast<std::size_t>(
-      std::count_if(faces.begin(), faces.end(), [&](LocalFace f) { return l.in_contact[s][f] != 0; }));
-}
-
-/// True if an edge separates groups, attributes or components of the faces in contact.
 bool is_border_of_groups(const LyingMeeting& l, std::size_t s, LocalEdge e) {
   const Complex& c = l.meeting.complex;
   const Side& side = l.meeting.side[s];
@@ -26,6 +18,25 @@ bool is_border_of_groups(const LyingMeeting& l, std::size_t s, LocalEdge e) {
   };
   const auto faces = side.faces_at_edge(e);
   return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) { return key(f) != key(faces[0]); });
+}
+
+bool is_single_group_node(const LyingMeeting& l, std::size_t s, VertexId v) {
+  const Complex& c = l.meeting.complex;
+  const GroupSetId own = c.vertex_groups[v.value];
+  if (own == GroupSets::kEmpty) return false;
+  GroupSetId around = GroupSets::kEmpty;
+  for (const LocalFace f : l.meeting.side[s].faces_at(v))
+    for (const VertexId w : l.meeting.side[s].corners(f))
+      if (w != v) around = l.meeting.groups.unite(around, c.vertex_groups[w.value]);
+  return !l.meeting.groups.is_subset(own, around);
+}
+
+namespace {
+
+std::size_t n_in_contact(const LyingMeeting& l, std::size_t s, LocalEdge e) {
+  const auto faces = l.meeting.side[s].faces_at_edge(e);
+  return static_cast<std::size_t>(
+      std::count_if(faces.begin(), faces.end(), [&](LocalFace f) { return l.in_contact[s][f] != 0; }));
 }
 
 /// Edges of a side that carry 1D elements or belong to elements which are not remeshed.
@@ -38,18 +49,6 @@ std::vector<std::uint8_t> carrying_edges(const LyingMeeting& l, std::size_t s) {
   for (const Complex::Line& line : l.meeting.complex.lines) mark(line.ends);
   for (const auto& edge : l.meeting.complex.fixed_edges) mark(edge);
   return carries;
-}
-
-/// A vertex in a node group that none of its neighbours is in: a point of its own.
-bool is_single_group_node(const LyingMeeting& l, std::size_t s, VertexId v) {
-  const Complex& c = l.meeting.complex;
-  const GroupSetId own = c.vertex_groups[v.value];
-  if (own == GroupSets::kEmpty) return false;
-  GroupSetId around = GroupSets::kEmpty;
-  for (const LocalFace f : l.meeting.side[s].faces_at(v))
-    for (const VertexId w : l.meeting.side[s].corners(f))
-      if (w != v) around = l.meeting.groups.unite(around, c.vertex_groups[w.value]);
-  return !l.meeting.groups.is_subset(own, around);
 }
 
 void mark_edges_that_go(LyingMeeting& l) {

@@ -58,6 +58,11 @@ void build_cover(LyingMeeting& lying, std::size_t s);
 /// where its surface ends.
 void find_imprinted(LyingMeeting& lying);
 
+/// True if an edge separates groups, attributes or components of the faces in contact.
+[[nodiscard]] bool is_border_of_groups(const LyingMeeting& lying, std::size_t s, LocalEdge e);
+/// A vertex in a node group that none of its neighbours is in: a point of its own.
+[[nodiscard]] bool is_single_group_node(const LyingMeeting& lying, std::size_t s, VertexId v);
+
 /// Declares where imprinted vertices lie on the other side, and where border edges of the two cross.
 void declare_lying(LyingMeeting& lying);
 

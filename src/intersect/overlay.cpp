@@ -1,6 +1,7 @@
 #include "intersect/overlay.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/distinct.hpp"
 #include "core/union_find.hpp"
@@ -8,6 +9,7 @@
 #include "intersect/flat_faces.hpp"
 #include "intersect/links.hpp"
 #include "intersect/lying.hpp"
+#include "intersect/whole_edges.hpp"
 
 namespace meshgraft {
 namespace {
@@ -61,6 +63,8 @@ class Overlayer {
     declare_lying(l);
     if (auto fault = trace_imprinted(l)) return failed(std::move(*fault));
     const std::array<Imprint, 2> imprint = imprint_of(l);
+    const std::vector<std::array<VertexId, 3>> before = complex_.face;
+    const std::vector<CutEdge> cut_in_vain = takes_over() ? std::vector<CutEdge>{} : edges_cut_in_vain(l);
     if (auto fault = apply(l.meeting, imprint, marks_)) {
       if (fault->face.valid()) fault->face = marks_.from[fault->face.value];
       return tl::unexpected(std::move(*fault));
@@ -74,6 +78,7 @@ class Overlayer {
     take_out_flat(l, [&](double) { return rule_.snap.noise(); });
     take_out(l);
     take_out_flat(l, [&](double size) { return rule_.beside(size); });
+    take_out_points(complex_, marks_, cut_in_vain, before);
     return std::move(out_);
   }
 
@@ -228,6 +233,37 @@ class Overlayer {
     for (std::size_t i = 0; i < covered.size(); ++i)
       out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over()});
     remove(covered);
+  }
+
+  /// Edges of the side that is kept where mere edges of the other mesh cross them: those end on the nodes that are
+  /// there. Features, borders of groups and nodes of their own need a node of the edge.
+  [[nodiscard]] std::vector<CutEdge> edges_cut_in_vain(const LyingMeeting& l) const {
+    const std::size_t s = l.stays, o = l.goes();
+    const Side &side = l.meeting.side[s], &other = l.meeting.side[o];
+    std::vector<std::tuple<LocalEdge, double, VertexId, std::uint8_t>> points;
+    for (const Symbol& symbol : l.meeting.symbols) {
+      if (symbol.on[s].kind != Carrier::kEdge) continue;
+      const Carrier& on = symbol.on[o];
+      const VertexId v(std::size_t{on.id});
+      const bool may_go = on.kind == Carrier::kEdge
+                              ? !other.is_feature_edge(on.id) && !is_border_of_groups(l, o, on.id)
+                              : on.kind == Carrier::kVertex && !other.is_feature(v) && !is_single_group_node(l, o, v);
+      points.emplace_back(symbol.on[s].id, symbol.on[s].t, symbol.vertex, may_go ? 1 : 0);
+    }
+    std::ranges::sort(points);
+    const auto name = [&](VertexId end) {
+      return l.meeting.has_symbol(s, end) ? l.meeting.symbols[l.meeting.symbol_of[s][end.value]].vertex : end;
+    };
+    std::vector<CutEdge> edges;
+    for (std::size_t i = 0; i < points.size();) {
+      const LocalEdge e = std::get<0>(points[i]);
+      CutEdge edge{{name(side.ends(e)[0])}, {0}};
+      for (; i < points.size() && std::get<0>(points[i]) == e; ++i)
+        edge.chain.push_back(std::get<2>(points[i])), edge.may_go.push_back(std::get<3>(points[i]));
+      edge.chain.push_back(name(side.ends(e)[1])), edge.may_go.push_back(0);
+      edges.push_back(std::move(edge));
+    }
+    return edges;
   }
 
   /// A face that stays, and the one that lies on it and goes.

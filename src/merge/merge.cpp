@@ -75,10 +75,9 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   corefine_options.mode = options.mode, corefine_options.overlap = options.overlap;
   auto corefined = corefine(original, graft.group_sets, corefine_options);
   if (!corefined) return Failure(to_error(inputs, corefined.error()));
+  if (const auto ok = check_something_left(inputs, original, *corefined); !ok) return Failure(ok.error());
   if (const auto ok = check_parts_meet(inputs, *components, *corefined, options, report); !ok)
     return Failure(ok.error());
-
-  if (const auto ok = check_something_left(inputs, original, *corefined); !ok) return Failure(ok.error());
 
   Dropped dropped;
   if (options.trim) report.dropped = trim(*corefined, *options.trim, graft, dropped);

@@ -82,7 +82,7 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   brep_options.original = &original;
   const Brep brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups, brep_options);
   SizeOptions size_options;
-  size_options.junction_size = options.size;
+  size_options.junction_size = options.size, size_options.kept = corefined.kept;
   const SizeField size(original, complex, brep, size_options);
   RemeshOptions remesh_options;
   remesh_options.min_quality = options.min_quality;

@@ -4,9 +4,15 @@
 #include <array>
 #include <utility>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
+namespace {
+
+constexpr int kReleased = 3;  // neighbourhoods, the cut face itself counted: as many as are remeshed elsewhere
+
+}  // namespace
 
 InputFaces::InputFaces(const Corefined& corefined)
     : complex_(corefined.complex),
@@ -22,11 +28,27 @@ InputFaces::InputFaces(const Corefined& corefined)
   for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
     const std::uint32_t i = parents_.of_face[f];
     if (corefined.touched[f]) touched_[i] = 1;
-    if (!corefined.kept.empty() && corefined.kept[f]) kept_[i] = pieces(i).size() == 1;
+    if (!corefined.kept.empty() && corefined.kept[f]) kept_[i] = 1;
     for (const VertexId v : complex_.face[f])
       if (complex_.state[v.value] == VertexState::kFrozen) frozen_[i] = 1;
   }
   freeze_doubled();
+  release_around_cut();
+}
+
+/// A face that had to be cut cannot be mended alone.
+void InputFaces::release_around_cut() {
+  std::vector<std::uint32_t> front, next;
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (kept_[i] && pieces(i).size() > 1) front.push_back(i);
+  for (int k = 0; k < kReleased && !front.empty(); ++k) {
+    for (const std::uint32_t i : front) {
+      kept_[i] = 0;
+      each_neighbour(i, [&](std::uint32_t j) { next.push_back(j); });
+    }
+    make_distinct(next);
+    front = std::exchange(next, {});
+  }
 }
 
 void InputFaces::freeze_doubled() {

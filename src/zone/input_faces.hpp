@@ -24,7 +24,8 @@ class InputFaces {
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
-  /// It lies in an area of contact that stays as it is, and was not cut.
+  /// It lies in an area of contact that stays as it is: not cut, and not in the neighbourhoods of a face there that
+  /// had to be cut.
   [[nodiscard]] bool kept(std::uint32_t i) const { return kept_[i] != 0; }
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
@@ -44,6 +45,7 @@ class InputFaces {
  private:
   [[nodiscard]] double contour_length(std::uint32_t i) const;
   void freeze_doubled();
+  void release_around_cut();
 
   const Complex& complex_;
   Parents parents_;

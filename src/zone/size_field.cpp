@@ -49,6 +49,7 @@ struct SizeField::Data {
   std::vector<OwnSize> own;                            // by sheet
   std::vector<std::vector<SheetId>> sheets;            // by curve
   std::vector<std::vector<std::uint32_t>> components;  // by curve: of each of `sheets`
+  std::vector<SheetId> kept;                           // by curve: a sheet with a kept face at it, if any
   SizeLimits junction;                                 // l_a
   SizeLimits limits;                                   // l_a too
 
@@ -79,6 +80,7 @@ struct SizeField::Data {
 
   /// l_a: see the class comment.
   [[nodiscard]] double mean_at_junction(CurveId curve, Vec3 p) const {
+    if (kept[curve.value].valid()) return own[kept[curve.value].value].at(p);
     if (options.junction_size) return *options.junction_size;
     // A mesh that continues on several sheets counts once, with their mean.
     std::vector<std::pair<std::uint32_t, double>> wishes;
@@ -116,6 +118,10 @@ class Builder {
       for (const SheetId s : sheets)
         components.push_back(complex_.component[brep_.sheets[s.value].faces.front().value]);
     }
+    data_.kept.resize(brep_.curves.size());
+    for (std::size_t f = 0; f < data_.options.kept.size(); ++f)
+      for (const CurveId c : brep_.curve_of_edge[f])
+        if (c.valid() && data_.options.kept[f]) data_.kept[c.value] = brep_.sheet_of_face[f];
     std::vector<SizeLimit> limits = junction();
     data_.junction = SizeLimits(limits, data_.options.gradation);
     set(limits);

@@ -22,6 +22,8 @@ struct SizeOptions {
   double gap_floor = 0.05;                        // a gap asks for no less than this share of the size around it
   double cone = 40.0 / 180.0 * std::numbers::pi;  // radians; curves that meet at more leave no narrow corner
   double cone_floor = 0.2;                        // as gap_floor, in a narrow corner
+  /// By face: 1 if it stays as it is, and with it the nodes of the junction that it has. May be empty.
+  std::span<const std::uint8_t> kept = {};
   double max_height = 0.07;  // of a node of the input over a new face: share of the edge length there
 };
 
@@ -36,8 +38,8 @@ struct SizeOptions {
 ///
 /// l_a at a place of the junction is the mean edge length of the faces of the meshes that meet there,
 /// each mesh counted by the number of its faces along the line: the harmonic mean of their own sizes,
-/// but at most `finer_share` x the smallest. Read as: the mean of paper 5.3 over the faces near the
-/// place instead of over the whole line, so that graded meshes get a graded line.
+/// but at most `finer_share` x the smallest. Beside faces that are kept it is their size. Read as: the mean of
+/// paper 5.3 over the faces near the place instead of over the whole line, so that graded meshes get a graded line.
 class SizeField {
  public:
   /// `original`: the complex before corefinement (its faces tell the meshes' own sizes);

@@ -76,6 +76,21 @@ RC_GTEST_PROP(OverlayLaws, NoAreaIsLostBetweenAlignedMeshes, ()) {
   assert_no_area_is_lost(leaning(any_aligned_pair()));
 }
 
+RC_GTEST_PROP(OverlayLaws, AKeptBaseIsCutOnlyWhereBordersCross, ()) {
+  const PlatePair pair = leaning(*rc::gen::arbitrary<bool>() ? any_pair() : any_aligned_pair());
+  RC_PRE(checks::common_area(pair) > 0.05);
+  RC_LOG() << checks::to_string(pair) << '\n';
+  const std::vector<Model> models = checks::models(pair);
+  GroupSets sets;
+  CorefineOptions options;
+  options.overlap = Overlap::kKeepBase;
+  const auto after = corefine(checks::complex_of(models, sets), sets, options);
+  RC_ASSERT(after.has_value());
+  const auto faults = checks::faults_of_kept_base(pair, models, *after);
+  for (const std::string& fault : faults) RC_LOG() << fault << '\n';
+  RC_ASSERT(faults.empty());
+}
+
 RC_GTEST_PROP(OverlayLaws, AMotionOfTheSceneMovesTheResult, ()) {
   const PlatePair pair = leaning(*rc::gen::arbitrary<bool>() ? any_pair() : any_aligned_pair());
   RC_PRE(checks::common_area(pair) > 0.05);

@@ -38,6 +38,11 @@ struct PlatePair {
 [[nodiscard]] std::vector<std::string> faults(const PlatePair& pair, const std::vector<Model>& models,
                                               const Corefined& after, const GroupSets& sets);
 
+/// What is wrong where the base was to be kept: common area left twice or taken out of both, an edge with a third
+/// face, a node of the base that moved, a base face cut elsewhere than where the borders of base and plate cross.
+[[nodiscard]] std::vector<std::string> faults_of_kept_base(const PlatePair& pair, const std::vector<Model>& models,
+                                                           const Corefined& after);
+
 /// Area of the faces that stand for two.
 [[nodiscard]] double layered_area(const Complex& complex);
 

@@ -1,6 +1,7 @@
 // Meshes that lie on each other: every scene, fused and projected, keeps the promises.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -94,6 +95,72 @@ TEST_P(Contact, ProjectedLayersAreOnTheSameNodesAndKeepAllTheirArea) {
     for (const NodeId n : result_.nodes_of(ElementId(e))) nodes.insert(n.value);
     EXPECT_LE(++on_nodes[nodes], 2);
   }
+}
+
+using Corners = std::array<std::array<double, 3>, 3>;
+
+/// Bit for bit, in any order of the corners.
+Corners corners_of(const Model& model, ElementId e) {
+  Corners corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 p = model.corners(e)[k];
+    corners[k] = {p.x, p.y, p.z};
+  }
+  std::ranges::sort(corners);
+  return corners;
+}
+
+/// Places of the faces of a model that are not in another.
+std::vector<Vec3> lost_faces(const Model& model, const Model& result) {
+  std::set<Corners> left;
+  for (std::size_t e = 0; e < result.n_elements(); ++e) left.insert(corners_of(result, ElementId(e)));
+  std::vector<Vec3> lost;
+  for (std::size_t e = 0; e < model.n_elements(); ++e) {
+    const auto t = model.corners(ElementId(e));
+    if (!left.contains(corners_of(model, ElementId(e)))) lost.push_back((t[0] + t[1] + t[2]) / 3);
+  }
+  return lost;
+}
+
+const scenes::Merge& scene_named(const std::string& name) {
+  return *std::ranges::find(all_scenes(), name, &scenes::Merge::name);
+}
+
+Result<Merged> merged_keeping(const scenes::Merge& scene, Overlap overlap) {
+  MergeOptions options = scene.options;
+  options.overlap = overlap;
+  return merge(scene.base, scene.parts, options);
+}
+
+TEST(KeptContact, APartThatLiesOnTheBaseAsAWholeStaysBitForBit) {
+  for (const char* name : {"doubler", "doubler_turned", "saddle_pad"}) {
+    const scenes::Merge& scene = scene_named(name);
+    const auto merged = merged_keeping(scene, Overlap::kKeepPart);
+    ASSERT_TRUE(merged.has_value()) << name << ' ' << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << first_problem(merged->report);
+    const Model result = apply(scene.base, scene.parts, *merged);
+    EXPECT_TRUE(meshgraft::check(result).sound()) << name;
+    EXPECT_TRUE(lost_faces(scene.parts[0], result).empty()) << name;
+  }
+}
+
+/// Where the free edges of both cross, the kept mesh needs a node: at (2, 0.27) and (2, 1.37).
+TEST(KeptContact, TheKeptBaseChangesOnlyWhereBordersCross) {
+  const scenes::Merge& scene = scene_named("partial_overlap_1_1");
+  const auto merged = merged_keeping(scene, Overlap::kKeepBase);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << first_problem(merged->report);
+  const Model result = apply(scene.base, scene.parts, *merged);
+  EXPECT_TRUE(meshgraft::check(result).sound());
+  for (const Vec3 p : lost_faces(scene.base, result))
+    EXPECT_LT(std::min(norm(p - Vec3{2, 0.27, 0}), norm(p - Vec3{2, 1.37, 0})), 0.5);
+}
+
+TEST(KeptContact, ToDeleteAWholePartIsRefused) {
+  const auto merged = merged_keeping(scene_named("doubler"), Overlap::kKeepBase);
+  ASSERT_FALSE(merged.has_value());
+  EXPECT_EQ(merged.error().code, ErrorCode::kOverlap);
+  EXPECT_NE(merged.error().what.find("all 119 faces"), std::string::npos) << merged.error().what;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {

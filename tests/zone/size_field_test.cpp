@@ -110,6 +110,20 @@ TEST(SizeField, JunctionStaysNearTheFinerMesh) {
   }
 }
 
+TEST(SizeField, BesideKeptFacesTheJunctionHasTheirSize) {
+  const std::array models{coarse_beside(10), wall(1)};
+  const Joined j = joined(models);
+  const auto size_if_kept = [&](std::uint32_t component) {
+    std::vector<std::uint8_t> kept;
+    for (const std::uint32_t c : j.complex.component) kept.push_back(c == component ? 1 : 0);
+    SizeOptions options;
+    options.kept = kept;
+    return scene(models, options).size.junction_size({5, 6, 0});
+  };
+  EXPECT_NEAR(size_if_kept(1), kMean, 0.05 * kMean);
+  EXPECT_GT(size_if_kept(0), 2 * SizeOptions().finer_share * kMean);
+}
+
 TEST(SizeField, GivenJunctionSizeIsTaken) {
   for (const double given : {0.3, 2.0}) {
     SizeOptions options;
