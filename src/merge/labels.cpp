@@ -1,5 +1,7 @@
 #include "merge/labels.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -122,10 +124,13 @@ std::int64_t shifted_label(const std::vector<std::vector<Id>>& shifted, const st
 Result<Labels> labels_of(Inputs inputs, const Graft& graft) {
   Numbering<NodeId> nodes;
   Numbering<ElementId> elements;
-  for (const Model* model : inputs) {
-    nodes.add_input(model->node_label);
-    elements.add_input(model->element_label);
-  }
+  tbb::parallel_invoke(
+      [&] {
+        for (const Model* model : inputs) nodes.add_input(model->node_label);
+      },
+      [&] {
+        for (const Model* model : inputs) elements.add_input(model->element_label);
+      });
   if (const auto ok = check_room(nodes, graft.new_nodes.size(), "node"); !ok) return Failure(ok.error());
   if (const auto ok = check_room(elements, graft.new_elements.size(), "element"); !ok) return Failure(ok.error());
   Labels labels;
