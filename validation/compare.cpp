@@ -1,5 +1,6 @@
 #include "compare.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -62,17 +63,34 @@ std::vector<Vec3> Interpolation::operator()(const std::vector<Vec3>& field) cons
   return values;
 }
 
-double mac(const Structure& on, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double ab = 0, aa = 0, bb = 0;
+namespace {
+
+/// Of two fields, weighted by the areas around nodes.
+double product(const Structure& on, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
   for (std::size_t f = 0; f < on.faces.size(); ++f) {
     const double weight = area(on.corners(f));
-    for (const std::uint32_t n : on.faces[f]) {
-      ab += weight * dot(a[n], b[n]);
-      aa += weight * squared_norm(a[n]);
-      bb += weight * squared_norm(b[n]);
-    }
+    for (const std::uint32_t n : on.faces[f]) sum += weight * dot(a[n], b[n]);
   }
-  return ab * ab / (aa * bb);
+  return sum;
+}
+
+}  // namespace
+
+double mac(const Structure& on, const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  const double ab = product(on, a, b);
+  return ab * ab / (product(on, a, a) * product(on, b, b));
+}
+
+double spanned_share(const Structure& on, const std::vector<Vec3>& field, const std::vector<std::vector<Vec3>>& by) {
+  const auto n = static_cast<Eigen::Index>(by.size());
+  Eigen::MatrixXd among(n, n);
+  Eigen::VectorXd with(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    with[i] = product(on, field, by[i]);
+    for (Eigen::Index j = 0; j <= i; ++j) among(i, j) = among(j, i) = product(on, by[i], by[j]);
+  }
+  return with.dot(among.ldlt().solve(with)) / product(on, field, field);
 }
 
 std::vector<ModePair> paired_modes(const Structure& on, const std::vector<std::vector<Vec3>>& reference,

@@ -27,6 +27,11 @@ class Interpolation {
 /// differ by a factor only, 0 for orthogonal ones.
 [[nodiscard]] double mac(const Structure& on, const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 
+/// How much of a field lies in the span of others, weighted alike: that of one other is its MAC. Neighbours in
+/// frequency mix differently on each mesh; together they still span the same.
+[[nodiscard]] double spanned_share(const Structure& on, const std::vector<Vec3>& field,
+                                   const std::vector<std::vector<Vec3>>& by);
+
 struct ModePair {
   std::size_t mode = 0;  // of the other solution
   double mac = 0;

@@ -11,7 +11,7 @@ namespace meshgraft::validation {
 namespace {
 
 // The aims of the study.
-constexpr double kLeastMac = 0.9;     // a mode without a partner as like as this is lost
+constexpr double kLeastShare = 0.9;   // a mode of which the modes of a mesh span less is lost
 constexpr double kWorstError = 0.01;  // of a frequency of a merged mesh, against the refined one
 constexpr double kMeanError = 0.004;
 
@@ -33,7 +33,7 @@ void add_heading(std::string& text, const std::vector<std::string>& cells) {
 struct Agreement {
   std::vector<double> frequency, error;
   std::vector<ModePair> pairs;
-  double mean = 0, worst = 0, least_mac = 1;
+  double mean = 0, worst = 0, least_share = 1;
 };
 
 Agreement agreement(const Case& refined, const Case& other, std::size_t n_modes) {
@@ -48,7 +48,7 @@ Agreement agreement(const Case& refined, const Case& other, std::size_t n_modes)
     a.error.push_back(relative(a.frequency[k], refined.response.frequency[k]));
     a.mean += std::abs(a.error[k]) / static_cast<double>(n_modes);
     a.worst = std::max(a.worst, std::abs(a.error[k]));
-    a.least_mac = std::min(a.least_mac, a.pairs[k].mac);
+    a.least_share = std::min(a.least_share, spanned_share(on, shapes[k], other.response.shape));
   }
   return a;
 }
@@ -146,7 +146,8 @@ class Writer {
     for (std::size_t i = 0; i < others_.size(); ++i) {
       const Agreement& a = agreements[i];
       const std::string& name = others_[i]->name;
-      if (a.least_mac < kLeastMac) unmet(fmt::format("{}: a mode is lost (MAC {:.2f})", name, a.least_mac));
+      if (a.least_share < kLeastShare)
+        unmet(fmt::format("{}: a mode is lost ({:.0f} % of it found)", name, 100 * a.least_share));
       if (others_[i]->role != Role::kMerged) continue;
       if (a.worst > kWorstError) unmet(fmt::format("{}: a frequency is {:.2f} % off", name, 100 * a.worst));
       if (a.mean > kMeanError) unmet(fmt::format("{}: frequencies are {:.2f} % off in the mean", name, 100 * a.mean));

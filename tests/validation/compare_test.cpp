@@ -62,6 +62,16 @@ TEST(Mac, IsZeroForOtherModesWhateverTheDensityOfNodes) {
   EXPECT_LT(mac(s, waves(s, 1, 1), waves(s, 2, 1)), 1e-3);
 }
 
+TEST(SpannedShare, IsWholeForModesThatMixAndNothingForOneThatIsNotThere) {
+  const Structure s = plate(0.07);
+  const auto a = waves(s, 1, 1), b = waves(s, 2, 1);
+  std::vector<Vec3> sum, difference;
+  for (std::size_t n = 0; n < a.size(); ++n) sum.push_back(a[n] + b[n]), difference.push_back(a[n] - b[n]);
+  EXPECT_NEAR(mac(s, a, sum), 0.5, 0.01);
+  EXPECT_NEAR(spanned_share(s, a, {sum, difference}), 1, 1e-9);
+  EXPECT_LT(spanned_share(s, waves(s, 1, 2), {sum, difference}), 0.01);
+}
+
 TEST(PairedModes, FollowAChangeOfOrderAndNeverTakeOneTwice) {
   const Structure s = plate(0.07);
   const std::array<std::array<int, 2>, 3> modes{{{1, 1}, {2, 1}, {1, 2}}};
