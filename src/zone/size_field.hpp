@@ -24,7 +24,7 @@ struct SizeOptions {
   double cone_floor = 0.2;                        // as gap_floor, in a narrow corner
   /// By face: 1 if it stays as it is, and with it the nodes of the junction that it has. May be empty.
   std::span<const std::uint8_t> kept = {};
-  double max_height = 0.07;  // of a node of the input over a new face: share of the edge length there
+  double max_height = 0.065;  // of a node of the input over a new face: share of the edge length there
 };
 
 /// The size at a place is, in this order:

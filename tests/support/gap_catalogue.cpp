@@ -65,7 +65,7 @@ void add_corners(std::vector<Merge>& all) {
   all.push_back(
       gap_merge("short_of_t_line", welded(together(ribbed)), stiffener(0, 90, 0.21, 1 - 0.35 * kSize), 0.79 + 0.43));
   all.push_back(gap_merge(
-      "beside_free_edge", wall(),
+      "short_beside_free_edge", wall(),
       staggered_plate({2 + 0.35 * kSize, 0.33, 0}, {0.7, 0, 0}, {0, 1.3, 0}, 0.09, "STRAKE", kIrregular), 1.3));
 }
 
