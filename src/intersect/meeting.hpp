@@ -87,6 +87,8 @@ struct Meeting {
     return chart[s].empty() ? std::span<const Vec3>(complex.position) : std::span<const Vec3>(chart[s]);
   }
   [[nodiscard]] bool has_symbol(std::size_t s, VertexId v) const { return symbol_of[s][v.value] != kNowhere; }
+  /// Whether a vertex was made for a symbol; it is on neither side.
+  [[nodiscard]] bool is_new(VertexId v) const { return v.value >= symbol_of[0].size(); }
 
   /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
   [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const;

@@ -285,8 +285,9 @@ class Overlayer {
       const GroupSetId own = complex_.groups_on(layer.component, v);
       common = common.valid() ? groups_.intersect(common, own) : own;
     }
-    for (const VertexId v : complex_.face[f.value])
-      if (!l.meeting.has_symbol(l.stays, v)) complex_.join_groups(v, layer.component, common, groups_);
+    for (const VertexId v : complex_.face[f.value])  // those with a symbol have got their groups with it
+      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v))
+        complex_.join_groups(v, layer.component, common, groups_);
   }
 
   void remove(std::vector<FaceId> gone) {
