@@ -63,7 +63,8 @@ tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& comple
   options.contact_angle = zone.contact_angle;
   for (int attempt = 1;; ++attempt) {
     auto corefined = corefine(complex, sets, options);
-    const bool settled = corefined || corefined.error().code != ErrorCode::kJunctionNotResolved;
+    const bool settled = corefined || (corefined.error().code != ErrorCode::kJunctionNotResolved &&
+                                       corefined.error().code != ErrorCode::kUsage);
     if (settled || attempt == kMostAttempts) return corefined;
     options.tolerance.value *= kNextShare;
   }

@@ -8,6 +8,7 @@
 #include "intersect/component_pairs.hpp"
 #include "intersect/join.hpp"
 #include "intersect/shared.hpp"
+#include "intersect/thin_parts.hpp"
 
 namespace meshgraft {
 namespace {
@@ -28,7 +29,8 @@ std::vector<double> mean_edge_lengths(const Complex& complex) {
 class Corefiner {
  public:
   Corefiner(const Complex& complex, GroupSets& groups, const CorefineOptions& options)
-      : groups_(groups),
+      : complex_(complex),
+        groups_(groups),
         options_(options),
         largest_(largest_coordinate(complex)),
         size_(mean_edge_lengths(complex)),
@@ -36,12 +38,28 @@ class Corefiner {
         assembly_(complex, size_) {}
 
   tl::expected<Corefined, JunctionFault> run() {
+    if (auto fault = find_thin_parts()) return tl::unexpected(std::move(*fault));
     for (std::uint32_t component = 0; component < near_.size(); ++component)
       if (auto fault = join_one(component)) return tl::unexpected(std::move(*fault));
     return result();
   }
 
  private:
+  [[nodiscard]] std::optional<JunctionFault> find_thin_parts() const {
+    std::vector<std::vector<FaceId>> near(near_.size());  // by component: its faces near others
+    for (std::size_t c = 0; c < near_.size(); ++c) {
+      near[c].insert(near[c].end(), near_[c].own.begin(), near_[c].own.end());
+      for (const FaceId f : near_[c].earlier) near[complex_.component[f.value]].push_back(f);
+    }
+    const SnapRule snap(largest_, options_, true);
+    for (std::vector<FaceId>& faces : near) {
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      if (auto fault = find_thin_part(complex_, faces, size_, {options_, snap})) return fault;
+    }
+    return std::nullopt;
+  }
+
   /// Joins a component to all earlier ones, in what is around the places where they are near.
   std::optional<JunctionFault> join_one(std::uint32_t component) {
     const NearFaces& near = near_[component];
@@ -86,6 +104,7 @@ class Corefiner {
     return std::move(out_);
   }
 
+  const Complex& complex_;
   GroupSets& groups_;
   const CorefineOptions& options_;
   double largest_;               // coordinate, by magnitude

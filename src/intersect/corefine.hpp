@@ -83,6 +83,7 @@ struct JunctionFault {
   std::string what;
   std::vector<ElementRef> elements;
   Vec3 at;
+  std::string hint{};  // where it is not that of the code
 };
 
 /// Imprints the components of `complex` on each other, component by component in ascending order.
@@ -105,9 +106,11 @@ struct JunctionFault {
 ///      is wider, or because details smaller than the tolerance stand in the way (two edges of one component
 ///      nearer to each other than that), is listed in `left_open`.
 ///
+///  (7) A tolerance that would weld two sides of one component together is a fault, with their distance.
+///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
 /// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),
-/// kDegenerateFace and kDuplicateFace (near the junction), kJunctionNotResolved.
+/// kDegenerateFace and kDuplicateFace (near the junction), kUsage (mode, tolerance), kJunctionNotResolved.
 [[nodiscard]] tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
                                                               const CorefineOptions& options);
 

@@ -64,7 +64,7 @@ Result<void> check_units(Inputs inputs) {
   return {};
 }
 
-std::string text_of(const CoordinateSystem& system) {
+std::string described(const CoordinateSystem& system) {
   constexpr std::array kTypes{"Cartesian", "cylindrical", "spherical"};
   if (system.is_global()) return "the global one";
   const bool known = system.type >= 0 && static_cast<std::size_t>(system.type) < kTypes.size();
@@ -81,7 +81,7 @@ Result<void> check_places(Inputs inputs) {
         return failure(ErrorCode::kCoordinateSystem,
                        "node " + std::to_string(model->node_label[system.first_placed.value]) +
                            " has its coordinates in system " + std::to_string(system.label) + ", which is " +
-                           text_of(system),
+                           described(system),
                        "export the model in global Cartesian coordinates", place_of(*model, system.first_placed));
   return {};
 }
@@ -97,7 +97,7 @@ Result<void> check_systems(Inputs inputs) {
       return failure(
           ErrorCode::kCoordinateSystem,
           "node " + std::to_string(part->node_label[system.first_node.value]) + " names coordinate system " +
-              std::to_string(system.label) + ", which is " + text_of(system) + " here but " + text_of(in_base) +
+              std::to_string(system.label) + ", which is " + described(system) + " here but " + described(in_base) +
               " in " + base.path,
           "export both models in global Cartesian coordinates, or with the same systems under the same labels",
           place_of(*part, system.first_node));
@@ -139,6 +139,21 @@ std::vector<ElementId> some_faces(const Model& model, std::size_t wanted) {
 
 double ratio(double a, double b) { return std::min(a, b) > 0 ? std::max(a, b) / std::min(a, b) : 1; }
 
+/// Lengths that the user gave against the size of a model.
+Result<void> check_lengths(const Model& model, const Extent& extent, const MergeOptions& options) {
+  const auto refuse = [&](const std::string& what, const std::string& hint) {
+    return failure(ErrorCode::kUsage, what + ", but " + model.path + " is only " + text_of(extent.diagonal) + " across",
+                   hint, {model.path, 0});
+  };
+  if (!options.tolerance.relative && options.tolerance.value >= extent.diagonal)
+    return refuse("tolerance of " + text_of(options.tolerance.value),
+                  "give a length below that; half the plate thickness closes gaps between mid-surfaces");
+  if (options.trim && *options.trim >= extent.diagonal)
+    return refuse("loose ends of up to " + text_of(*options.trim) + " to be trimmed",
+                  "give the length by which the part sticks out, and a little more");
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const CompatibilityLimits& limits) {
@@ -158,6 +173,8 @@ Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const 
   if (const auto ok = check_units(inputs); !ok) return ok;
   if (const auto ok = check_places(inputs); !ok) return ok;
   if (const auto ok = check_systems(inputs); !ok) return ok;
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    if (const auto ok = check_lengths(*inputs[k], extents[k], options); !ok) return ok;
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     const Extent &a = extents[0], &b = extents[k];
     const double times = std::min(ratio(a.diagonal, b.diagonal), ratio(a.mean_edge, b.mean_edge));

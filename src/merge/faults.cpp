@@ -55,7 +55,7 @@ double distance_between(const Model& a, const Model& b) {
 }  // namespace
 
 Error to_error(Inputs inputs, const JunctionFault& fault) {
-  Error error{fault.code, fault.what, hint_of(fault.code), {}};
+  Error error{fault.code, fault.what, fault.hint.empty() ? hint_of(fault.code) : fault.hint, {}};
   std::vector<std::string> elements;
   for (const ElementRef e : fault.elements) elements.push_back(text_of(inputs, e));
   if (!elements.empty()) error.what += ": " + joined(elements);

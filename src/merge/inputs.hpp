@@ -5,18 +5,13 @@
 #include <span>
 #include <string>
 
+#include "core/text.hpp"
 #include "meshgraft/model.hpp"
 
 namespace meshgraft {
 
 /// 0 the base, then the parts. Never empty.
 using Inputs = std::span<const Model* const>;
-
-/// "(1.5, 0.25, 3)", six digits.
-[[nodiscard]] std::string text_of(Vec3 p);
-
-/// "1.5e-05", six digits.
-[[nodiscard]] std::string text_of(double value);
 
 /// "element 57 of plate.unv".
 [[nodiscard]] std::string text_of(Inputs inputs, ElementRef element);

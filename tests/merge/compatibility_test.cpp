@@ -37,6 +37,42 @@ TEST(Compatibility, NonsenseInOptionsIsAUsageError) {
     EXPECT_EQ(code_of(a, b, o), ErrorCode::kUsage);
 }
 
+TEST(Compatibility, LengthsAboveTheSizeOfAPartAreRefusedWithBothFigures) {
+  const Model wall = scenes::plate({0, 0, 0}, {9, 0, 0}, {0, 9, 0}, 1);
+  Model rib = scenes::plate({1, 4, 0}, {3, 0, 0}, {0, 0, 4}, 1);
+  rib.path = "rib.unv";
+  MergeOptions options;
+  const auto refused = [&](const std::string& figure) {
+    const auto result = merge(wall, std::span(&rib, 1), options);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+    EXPECT_NE(result.error().what.find(figure), std::string::npos) << result.error().what;
+    EXPECT_NE(result.error().what.find("rib.unv is only 5 across"), std::string::npos) << result.error().what;
+  };
+  options.tolerance = {6, false};
+  refused("tolerance of 6");
+  options.tolerance = {};
+  options.trim = 5.5;
+  refused("up to 5.5 to be trimmed");
+}
+
+TEST(Compatibility, AToleranceThatWouldWeldTheSidesOfAThinPartIsRefusedWithTheirDistance) {
+  const Model wall = scenes::plate({0, 0, 0}, {9, 0, 0}, {0, 9, 0}, 1);
+  // A hollow section of two webs and a flange.
+  const Model section = scenes::welded(scenes::together(
+      std::array{scenes::plate({1, 4, 0}, {6, 0, 0}, {0, 0, 4}, 1), scenes::plate({1, 4.3, 0}, {6, 0, 0}, {0, 0, 4}, 1),
+                 scenes::plate({1, 4, 4}, {6, 0, 0}, {0, 0.3, 0}, 1)}));
+  MergeOptions options;
+  options.tolerance = {0.35, false};
+  const auto result = merge(wall, std::span(&section, 1), options);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+  EXPECT_NE(result.error().what.find("tolerance of 0.35"), std::string::npos) << result.error().what;
+  EXPECT_NE(result.error().what.find("0.3 apart"), std::string::npos) << result.error().what;
+  options.tolerance = {0.25, false};
+  EXPECT_TRUE(merge(wall, std::span(&section, 1), options));
+}
+
 TEST(Compatibility, AModelWithoutTrianglesIsNamed) {
   ModelBuilder builder;
   const NodeId n0 = builder.add_node({0, 0, 0}), n1 = builder.add_node({1, 0, 0});
