@@ -1,6 +1,7 @@
 #include "meshgraft/cut.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/components.hpp"
 #include "core/summary.hpp"
@@ -29,11 +30,14 @@ void append(std::vector<T>& to, std::vector<T> from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// What is wrong with the inputs before anything is cut. A tool made from numbers has no units and no scale.
-Result<void> check_inputs(const Model& base, const CutTool& tool, const CutOptions& options) {
-  std::vector<const Model*> inputs{&base};
-  if (const auto* model = std::get_if<const Model*>(&tool)) inputs.push_back(*model);
-  return check_compatible(inputs, options.zone);
+/// What is wrong with the inputs before anything is cut, and the tool. One made from numbers has no units and no scale.
+Result<ToolSurface> checked_tool(const Model& base, const CutTool& from, const CutOptions& options) {
+  if (const auto ok = check_compatible(std::array{&base}, options.zone); !ok) return Failure(ok.error());
+  auto tool = tool_surface(base, from);
+  if (!tool || !std::holds_alternative<const Model*>(from)) return tool;
+  if (const auto ok = check_compatible(std::array<const Model*, 2>{&base, &tool->model}, options.zone); !ok)
+    return Failure(ok.error());
+  return tool;
 }
 
 std::vector<Triangle> triangles_of(const Model& model) {
@@ -145,8 +149,7 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   Stopwatch watch(options.zone.progress);
 
   watch.start("search", 0);
-  if (const auto ok = check_inputs(base, from, options); !ok) return Failure(ok.error());
-  const auto tool = tool_surface(base, from);
+  const auto tool = checked_tool(base, from, options);
   if (!tool) return Failure(tool.error());
   const std::vector<const Model*> inputs{&base}, with_tool{&base, &tool->model};
   if (const auto ok = check_meeting_elements(with_tool, options.zone.tolerance); !ok) return Failure(ok.error());

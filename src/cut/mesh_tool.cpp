@@ -51,7 +51,10 @@ Result<void> look_at_edges(const Model& from, ToolSurface& tool) {
 Result<ToolSurface> mesh_tool(const Model& from) {
   ModelBuilder builder;
   std::vector<NodeId> ids;
-  for (const Vec3 p : from.position) ids.push_back(builder.add_node(p));
+  for (std::size_t v = 0; v < from.n_nodes(); ++v)
+    ids.push_back(builder.add_node(from.position[v], from.node_label[v]));
+  ElementAttributes triangle;
+  triangle.shape = Shape::kTriangle;
   bool any = false;
   for (std::size_t e = 0; e < from.n_elements(); ++e) {
     const Shape shape = from.shape(ElementId(e));
@@ -63,13 +66,15 @@ Result<ToolSurface> mesh_tool(const Model& from) {
     if (shape != Shape::kTriangle && shape != Shape::kQuad) continue;
     const Corners c = corners_of(shape, from.nodes_of(ElementId(e)));
     for (std::size_t k = 2; k < c.n; ++k, any = true)
-      builder.add_face(ids[c.node[0].value], ids[c.node[k - 1].value], ids[c.node[k].value]);
+      builder.add_element(triangle, std::array{ids[c.node[0].value], ids[c.node[k - 1].value], ids[c.node[k].value]},
+                          from.element_label[e]);
   }
   if (!any)
     return failure(ErrorCode::kNoFaces, from.path + " has no triangles or quadrilaterals to cut with",
                    "mesh the surface of the tool", {from.path, 0});
   ToolSurface tool;
   tool.model = builder.build(from.path);
+  tool.model.units = from.units, tool.model.coordinate_systems = from.coordinate_systems;
   tool.n_cutting = tool.model.n_elements();
   const auto good = look_at_edges(from, tool);
   if (!good) return Failure(good.error());

@@ -241,6 +241,30 @@ TEST(Cut, AToolThatMissesIsPartsApart) {
   EXPECT_EQ(code_of(base, PlaneTool{{0, 0, 3}, {0, 0, 1}}, kDropOutside), ErrorCode::kPartsApart);
 }
 
+TEST(Cut, AToolOfQuadrilateralsCutsLikeItsTrianglesAndIsNamedByItsLabels) {
+  ModelBuilder b;
+  std::vector<NodeId> corner;
+  for (int k = 0; k < 8; ++k)
+    corner.push_back(b.add_node({k % 2 == 0 ? 0.73 : 1.21, (k / 2) % 2 == 0 ? 0.31 : 0.66, k < 4 ? -0.2 : 0.2}));
+  ElementAttributes quad;
+  quad.shape = Shape::kQuad;
+  for (std::int64_t label = 501;
+       const auto& q : std::array<std::array<std::size_t, 4>, 6>{
+           {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}})
+    b.add_element(quad, std::array{corner[q[0]], corner[q[1]], corner[q[2]], corner[q[3]]}, label++);
+  Model tool = b.build("tool.unv");
+  const CutTool cutting(&std::as_const(tool));
+  const Model base = plate();
+  const Merged m = made(base, cutting, kDropInside);
+  expect_laws(base, m);
+  ASSERT_EQ(m.report.dropped.size(), 1u);
+  EXPECT_NEAR(m.report.dropped[0].area, 0.48 * 0.35, 1e-9);
+  tool.position[0].z = tool.position[1].z = tool.position[2].z = tool.position[3].z = 0;
+  const auto refused = cut(base, cutting, kDropInside);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("element 501 of tool.unv"), std::string::npos) << refused.error().what;
+}
+
 TEST(Cut, SenselessToolsAreRefused) {
   const Model base = plate();
   EXPECT_EQ(code_of(base, BoxTool{{1, 1, 1}, {0, 2, 2}}, kDropInside), ErrorCode::kUsage);
