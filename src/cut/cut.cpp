@@ -152,7 +152,8 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   const auto tool = checked_tool(base, from, options);
   if (!tool) return Failure(tool.error());
   const std::vector<const Model*> inputs{&base}, with_tool{&base, &tool->model};
-  if (const auto ok = check_meeting_elements(with_tool, options.zone.tolerance); !ok) return Failure(ok.error());
+  if (const auto ok = check_meeting_elements(with_tool, one_for_each_input(2), options.zone.tolerance); !ok)
+    return Failure(ok.error());
   report.inputs.push_back(counts_of(base));
   append(report.warnings, std::vector(base.warnings));
   if (const auto* model = std::get_if<const Model*>(&from)) report.inputs.push_back(counts_of(**model));

@@ -47,7 +47,6 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
 
   watch.start("search", 0);
   if (const auto ok = check_compatible(inputs, options); !ok) return Failure(ok.error());
-  if (const auto ok = check_meeting_elements(inputs, options.tolerance); !ok) return Failure(ok.error());
   for (const Model* model : inputs) {
     report.inputs.push_back(counts_of(*model));
     append(report.warnings, std::vector(model->warnings));
@@ -59,6 +58,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   search_options.tolerance = options.tolerance;
   const Result<Components> components = components_of(inputs, options);
   if (!components) return Failure(components.error());
+  if (const auto ok = check_meeting_elements(inputs, *components, options.tolerance); !ok) return Failure(ok.error());
   if (components->are_parted()) report.components = summaries_of(inputs, *components);
   const auto candidates = candidate_faces(inputs, *components, search_options);
   if (const auto ok = check_local_scale(inputs, candidates, options); !ok) return Failure(ok.error());

@@ -35,31 +35,40 @@ Box box_of(const Triangle& t) {
   return box;
 }
 
-Box box_of(const Model& model) {
-  Box box;
-  for (const Vec3& p : model.position) box.add(p);
-  return box;
-}
-
-/// Pieces of the surface elements of input k that `wanted` picks by shape and that are near one of `boxes`.
-template <class F>
-void collect(Inputs inputs, std::uint32_t k, F&& wanted, std::span<const Box> boxes, const Tolerance& tolerance,
-             std::vector<Piece>& pieces) {
+/// Calls f(element, triangle) for each triangle that the surface elements of input k which `wanted` picks fall into.
+template <class Wanted, class F>
+void each_triangle(Inputs inputs, std::uint32_t k, Wanted&& wanted, F&& f) {
   const Model& model = *inputs[k];
   for (std::size_t e = 0; e < model.n_elements(); ++e) {
-    const Shape shape = model.shape(ElementId(e));
-    if (!wanted(shape)) continue;
-    const Corners c = corners_of(shape, model.nodes_of(ElementId(e)));
-    if (!c.is_surface()) continue;
+    if (!wanted(model.shape(ElementId(e)))) continue;
+    const Corners c = corners_of(model.shape(ElementId(e)), model.nodes_of(ElementId(e)));
     const auto at = [&](std::size_t i) { return model.position[c.node[i].value]; };
-    for (std::size_t i = 2; i < c.n; ++i) {
-      const Triangle t{at(0), at(i - 1), at(i)};
-      const Box box = box_of(t).grown(tolerance.at(mean_edge_length(t)));
-      if (std::ranges::any_of(boxes, [&](const Box& b) { return b.overlaps(box); }))
-        pieces.push_back({t, {k, ElementId(e)}});
-    }
+    for (std::size_t i = 2; c.is_surface() && i < c.n; ++i)
+      f(ElementRef{k, ElementId(e)}, Triangle{at(0), at(i - 1), at(i)});
   }
 }
+
+/// Where the components are.
+class ComponentBoxes {
+ public:
+  ComponentBoxes(Inputs inputs, const Components& components) : joins_(components.joins) {
+    std::vector<Box> boxes(components.size());
+    for (std::uint32_t k = 0; k < inputs.size(); ++k)
+      each_triangle(inputs, k, is_surface,
+                    [&](ElementRef e, const Triangle& t) { boxes[components.of(e)].add(box_of(t)); });
+    tree_ = BoxTree(boxes);
+  }
+  /// Whether a component that is joined to this one may reach the box.
+  [[nodiscard]] bool has_joined(std::uint32_t component, const Box& box) const {
+    bool found = false;
+    tree_.overlapping(box, [&](std::uint32_t c) { found = found || joins_.are_joined(component, c); });
+    return found;
+  }
+
+ private:
+  const Joins& joins_;
+  BoxTree tree_;
+};
 
 /// The segment goes through the inside of the triangle. Exact.
 bool pierces(Vec3 p, Vec3 q, const Triangle& t) {
@@ -98,36 +107,35 @@ Failure meeting_of(Inputs inputs, ElementRef fixed, ElementRef other, Vec3 at) {
 
 }  // namespace
 
-Result<void> check_meeting_elements(Inputs inputs, const Tolerance& tolerance) {
+Result<void> check_meeting_elements(Inputs inputs, const Components& components, const Tolerance& tolerance) {
   if (std::ranges::none_of(inputs, [](const Model* m) { return has_fixed_surfaces(*m); })) return {};
-  std::vector<Box> boxes;
-  for (const Model* model : inputs) boxes.push_back(box_of(*model));
-  for (std::uint32_t k = 0; k < inputs.size(); ++k) {
-    if (!has_fixed_surfaces(*inputs[k])) continue;
-    std::vector<Box> others = boxes;
-    others.erase(others.begin() + k);
-    std::vector<Piece> fixed, near;
-    collect(inputs, k, is_fixed_surface, others, tolerance, fixed);
-    if (fixed.empty()) continue;
-    Box region;
-    for (const Piece& p : fixed) region.add(box_of(p.corners));
-    for (std::uint32_t j = 0; j < inputs.size(); ++j)
-      if (j != k) collect(inputs, j, is_surface, std::span(&region, 1), tolerance, near);
-    std::vector<Box> near_boxes;
-    for (const Piece& p : near)
-      near_boxes.push_back(box_of(p.corners).grown(tolerance.at(mean_edge_length(p.corners))));
-    const BoxTree tree(near_boxes);
-    for (const Piece& piece : fixed) {
-      std::optional<Vec3> at;
-      std::uint32_t first = 0xFFFFFFFF;
-      tree.overlapping(box_of(piece.corners), [&](std::uint32_t i) {
-        if (i >= first) return;
-        auto met = crossing(piece.corners, near[i].corners);
-        if (!met) met = touching(piece.corners, near[i].corners, tolerance);
-        if (met) at = met, first = i;
-      });
-      if (at) return meeting_of(inputs, piece.element, near[first].element, *at);
-    }
+  const ComponentBoxes boxes(inputs, components);
+  const auto grown = [&](const Triangle& t) { return box_of(t).grown(tolerance.at(mean_edge_length(t))); };
+  std::vector<Piece> fixed, near;
+  Box region;
+  for (std::uint32_t k = 0; k < inputs.size(); ++k)
+    each_triangle(inputs, k, is_fixed_surface, [&](ElementRef e, const Triangle& t) {
+      if (!boxes.has_joined(components.of(e), grown(t))) return;
+      fixed.push_back({t, e}), region.add(box_of(t));
+    });
+  if (fixed.empty()) return {};
+  std::vector<Box> near_boxes;
+  for (std::uint32_t k = 0; k < inputs.size(); ++k)
+    each_triangle(inputs, k, is_surface, [&](ElementRef e, const Triangle& t) {
+      if (const Box box = grown(t); region.overlaps(box)) near.push_back({t, e}), near_boxes.push_back(box);
+    });
+  const BoxTree tree(near_boxes);
+  for (const Piece& piece : fixed) {
+    std::optional<Vec3> at;
+    std::uint32_t first = 0xFFFFFFFF;
+    tree.overlapping(box_of(piece.corners), [&](std::uint32_t i) {
+      if (i >= first || !components.joins.are_joined(components.of(piece.element), components.of(near[i].element)))
+        return;
+      auto met = crossing(piece.corners, near[i].corners);
+      if (!met) met = touching(piece.corners, near[i].corners, tolerance);
+      if (met) at = met, first = i;
+    });
+    if (at) return meeting_of(inputs, piece.element, near[first].element, *at);
   }
   return {};
 }

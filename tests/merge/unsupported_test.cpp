@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "meshgraft/merge.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -28,7 +29,7 @@ Model square(Shape shape = Shape::kQuad) {
 
 Result<void> meeting(const Model& base, const Model& part) {
   const std::array<const Model*, 2> inputs{&base, &part};
-  return check_meeting_elements(inputs, Tolerance{});
+  return check_meeting_elements(inputs, one_for_each_input(2), Tolerance{});
 }
 
 Model standing(double x0, double x1, double below) {
@@ -53,6 +54,23 @@ TEST(MeetingElements, APartOnTheTrianglesBesideOrAboveIsFine) {
   EXPECT_TRUE(meeting(square(), standing(1.1, 1.5, 0.33)).has_value());
   EXPECT_TRUE(meeting(square(), standing(1, 1.5, 0)).has_value());  // up to the common edge
   EXPECT_TRUE(meeting(square(), standing(0.2, 0.8, -0.1)).has_value());
+}
+
+/// The square and a plate that stands at x, in one file.
+Model assembly(double x, double below) {
+  const std::array models{square(), scenes::plate({x, 0.4, -below}, {0.3, 0, 0}, {0, 0, 1}, 0.3, "PART")};
+  return scenes::together(models);
+}
+
+TEST(MeetingElements, AFileJoinedWithItselfNamesQuadrilateralsThatAnotherMeshOfItMeets) {
+  const auto code = [](const Model& model) {
+    const auto result = merge(model, {});
+    return result ? ErrorCode::kCannotHold : result.error().code;
+  };
+  for (const double below : {0.33, 0.0}) {
+    EXPECT_EQ(code(assembly(0.3, below)), ErrorCode::kUnsupportedElement);
+    EXPECT_NE(code(assembly(1.2, below)), ErrorCode::kUnsupportedElement);  // on the triangle beside it
+  }
 }
 
 TEST(MeetingElements, QuadrilateralsOfThePartCountToo) {
