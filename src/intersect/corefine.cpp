@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/assembly.hpp"
 #include "intersect/component_pairs.hpp"
@@ -53,8 +54,7 @@ class Corefiner {
     }
     const SnapRule snap(largest_, options_, true);
     for (std::vector<FaceId>& faces : near) {
-      std::sort(faces.begin(), faces.end());
-      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+      make_distinct(faces);
       if (auto fault = find_thin_part(complex_, faces, size_, {options_, snap})) return fault;
     }
     return std::nullopt;

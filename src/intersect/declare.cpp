@@ -12,38 +12,6 @@ namespace {
 
 Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
 
-/// Marks the features that end on the other side: corners, and edges that run along it with their ends. A line
-/// that goes through the other side meets it in one point, which need not be a vertex of it: that has no
-/// claim to be met although it is near.
-void mark_ending_features(Meeting& m) {
-  for (const std::size_t s : kSides) {
-    const Side& side = m.side[s];
-    std::vector<std::uint8_t> near(m.complex.n_vertices());
-    m.ending_vertex[s].assign(m.complex.n_vertices(), 0), m.ending_edge[s].assign(side.n_edges(), 0);
-    for (const FacePair& p : m.pairs) {
-      const Triangle t = m.triangle(1 - s, p[1 - s]);
-      const Vec3 n = unit_normal(t);
-      const double gap = m.snap(p).asked;
-      const auto is_in_plane = [&](VertexId v) { return std::abs(dot(n, m.at(v) - t[0])) <= gap; };
-      for (const LocalEdge e : side.edges(p[s])) {
-        const auto& [a, b] = side.ends(e);
-        if (side.is_feature_edge(e) && is_in_plane(a) && is_in_plane(b)) m.ending_edge[s][e] = 1;
-      }
-      for (const VertexId v : side.corners(p[s]))
-        if (side.is_feature(v) && is_in_plane(v) && distance(m.at(v), closest_on_triangle(m.at(v), t).point) <= gap)
-          near[v.value] = 1;
-    }
-    for (LocalEdge e = 0; e < side.n_edges(); ++e) {
-      const auto& [a, b] = side.ends(e);
-      if (side.is_feature_edge(e) && near[a.value] != 0 && near[b.value] != 0) m.ending_edge[s][e] = 1;
-      if (m.ending_edge[s][e] != 0) m.ending_vertex[s][a.value] = m.ending_vertex[s][b.value] = 1;
-    }
-    for (LocalFace f = 0; f < side.n_faces(); ++f)
-      for (const VertexId v : side.corners(f))
-        if (side.is_corner(v)) m.ending_vertex[s][v.value] = 1;
-  }
-}
-
 /// Vertices that both sides have already (from an earlier round).
 void declare_shared(Meeting& m) {
   for (std::size_t i = 0; i < m.symbol_of[0].size(); ++i)
@@ -79,7 +47,7 @@ std::vector<VertexPair> near_vertices(const Meeting& m) {
     for (const VertexId y : m.side[1].corners(p[1])) {
       if (m.has_symbol(1, y) || m.complex.state[y.value] == VertexState::kFrozen) continue;
       for (const VertexId x : m.side[0].corners(p[0])) {
-        const bool fx = m.ending_vertex[0][x.value] != 0, fy = m.ending_vertex[1][y.value] != 0;
+        const bool fx = m.ending.vertex[0][x.value] != 0, fy = m.ending.vertex[1][y.value] != 0;
         const double d = distance(m.at(x), m.at(y));
         if (d > snap.of(fx || fy)) continue;
         if (d > snap.weld && !fx && !is_straight_across(m, 0, m.side[0].faces_at(x), m.at(x), m.at(y), d)) continue;
@@ -153,7 +121,7 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
       if (!is_undecided(m, s, v)) continue;
       for (const LocalEdge e : other.edges(p[1 - s])) {
         const auto& [low, high] = other.ends(e);
-        const double gap = snap.of(m.ending_vertex[s][v.value] != 0 || m.ending_edge[1 - s][e] != 0);
+        const double gap = snap.of(m.ending.vertex[s][v.value] != 0 || m.ending.edge[1 - s][e] != 0);
         if (are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
@@ -162,7 +130,7 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         if (is_gap && !other.is_feature_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
-        if (is_gap && m.ending_vertex[s][v.value] == 0 &&
+        if (is_gap && m.ending.vertex[s][v.value] == 0 &&
             !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d))
           continue;
         found.push_back({v, d, e, c.t, c.point, is_gap});
@@ -178,7 +146,7 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
     const Snap snap = m.snap(p);
     for (const VertexId v : m.side[s].corners(p[s])) {
       if (!is_undecided(m, s, v)) continue;
-      const double gap = snap.of(m.ending_vertex[s][v.value] != 0);
+      const double gap = snap.of(m.ending.vertex[s][v.value] != 0);
       const Triangle t = m.triangle(1 - s, p[1 - s]);
       const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
       if (std::abs(dot(n, m.at(v) - t[0])) > gap * norm(n)) continue;
@@ -252,7 +220,7 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const auto& [a, b] = m.side[0].ends(e);
         const auto& [c, d] = m.side[1].ends(f);
         const bool both = m.side[0].is_feature_edge(e) && m.side[1].is_feature_edge(f);
-        const double gap = snap.of(both || m.ending_edge[0][e] != 0 || m.ending_edge[1][f] != 0);
+        const double gap = snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0);
         if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
@@ -293,7 +261,7 @@ bool is_doubtful(const Meeting& m, const EdgePair& p) {
 }  // namespace
 
 void declare_vertices(Meeting& m) {
-  mark_ending_features(m);
+  m.ending = ending_features(m, &Snap::feature);
   declare_shared(m);
   declare_vertex_on_vertex(m);
   // A replaced vertex is where its replacement is; the geometry of side 1 follows at once.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/doubled.hpp"
 #include "intersect/extend.hpp"
@@ -86,8 +87,7 @@ class Joiner {
     for (const FaceId f : faces[0])
       if (const std::uint32_t c = complex_.component[f.value]; joins.mesh_of(c) != joins.mesh_of(0))
         earlier.push_back(c);
-    std::sort(earlier.begin(), earlier.end());
-    earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+    make_distinct(earlier);
     for (const std::uint32_t c : earlier) any = extend(c, faces[1], exact) || any;
     return any;
   }

@@ -57,6 +57,13 @@ class SnapRule {
   double rounding_, noise_;
 };
 
+/// Features that end on the other side or run along it: corners, and edges with both ends near it, with these. A
+/// line that goes through the other side meets it in one point, which need not be a vertex of it: that has no
+/// claim to be met although it is near.
+struct EndingFeatures {
+  std::array<std::vector<std::uint8_t>, 2> vertex, edge;  // by side and vertex, local edge
+};
+
 struct Meeting {
   Complex& complex;
   GroupSets& groups;
@@ -76,9 +83,7 @@ struct Meeting {
   std::vector<std::pair<VertexId, Vec3>> moved;      // vertex of side 1, where it was
   bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
-  /// By side and vertex or local edge: a feature that ends on the other side or runs along it, and not one
-  /// that goes through it. Set by declare_vertices().
-  std::array<std::vector<std::uint8_t>, 2> ending_vertex{}, ending_edge{};
+  EndingFeatures ending{};  // within the snap length; set by declare_vertices()
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
@@ -118,6 +123,9 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
                      std::span<const std::uint8_t> is_second, double sharp_angle,
                      const std::array<std::vector<FaceId>, 2>& beside = {});
+
+/// `within`: which length counts as near. Cost: one pass over the pairs.
+[[nodiscard]] EndingFeatures ending_features(const Meeting& meeting, double Snap::*within);
 
 /// True if boxes grown by a gap show that two segments (or points) are farther apart than it. Most
 /// are, and this is much cheaper than their distance.

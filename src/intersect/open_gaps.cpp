@@ -21,7 +21,8 @@ struct Found {
 
 class Search {
  public:
-  explicit Search(const Meeting& meeting) : m_(meeting), joints_(boxes_of_joints(meeting)) {}
+  explicit Search(const Meeting& meeting)
+      : m_(meeting), ending_(ending_features(meeting, &Snap::asked)), joints_(boxes_of_joints(meeting)) {}
 
   std::vector<Corefined::OpenGap> run() {
     for (const FacePair& p : m_.pairs) {
@@ -51,7 +52,7 @@ class Search {
     const Triangle t = m_.triangle(1 - s, p[1 - s]);
     const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
     for (const VertexId v : m_.side[s].corners(p[s])) {
-      if (m_.ending_vertex[s][v.value] == 0 || m_.has_symbol(s, v)) continue;
+      if (ending_.vertex[s][v.value] == 0 || m_.has_symbol(s, v)) continue;
       if (std::abs(dot(n, m_.at(v) - t[0])) > tolerance_ * norm(n)) continue;
       add({v.value, kNowhere}, p, s, m_.at(v), distance(m_.at(v), closest_on_triangle(m_.at(v), t).point));
     }
@@ -60,12 +61,12 @@ class Search {
   void look_at_edges(const FacePair& p) {
     for (const LocalEdge e : m_.side[0].edges(p[0]))
       for (const LocalEdge f : m_.side[1].edges(p[1])) {
-        if (m_.ending_edge[0][e] == 0 && m_.ending_edge[1][f] == 0) continue;
+        if (ending_.edge[0][e] == 0 && ending_.edge[1][f] == 0) continue;
         const auto& [a, b] = m_.side[0].ends(e);
         const auto& [c, d] = m_.side[1].ends(f);
         if (are_apart(m_.at(a), m_.at(b), m_.at(c), m_.at(d), tolerance_)) continue;
         const SegmentPair near = closest_between_segments(m_.at(a), m_.at(b), m_.at(c), m_.at(d));
-        add({e, f}, p, m_.ending_edge[1][f], near.first.point, distance(near.first.point, near.second.point));
+        add({e, f}, p, ending_.edge[1][f], near.first.point, distance(near.first.point, near.second.point));
       }
   }
 
@@ -84,6 +85,7 @@ class Search {
   }
 
   const Meeting& m_;
+  EndingFeatures ending_;
   BoxTree joints_;  // places of the symbols
   double tolerance_ = 0;
   std::vector<Found> found_;

@@ -31,6 +31,7 @@ Merge gap_merge(std::string name, Model base, Model part, double length, double 
   m.parts.push_back(std::move(part));
   m.mean_q = 0.85;
   m.joined_length = length;
+  m.max_off = 1e-3;  // all that is flat stays flat
   m.options.tolerance = {tolerance, false};
   return m;
 }
@@ -51,6 +52,7 @@ void add_walls(std::vector<Merge>& all) {
                                   return p + Vec3{0, 0, 0.8 * kSize * (p.x - 0.33) / kFoot};
                                 }),
                           kFoot * 8 / 13));
+  all.back().max_off = 0.05;  // the foot is drawn to the wall a little way beyond its last node there
 }
 
 void add_corners(std::vector<Merge>& all) {
@@ -59,6 +61,11 @@ void add_corners(std::vector<Merge>& all) {
   const Model corner = welded(together(walls));
   const double off = 0.5 * kSize;
   all.push_back(gap_merge("off_a_corner", corner, stiffener(off, 90, 0.9, 2 - off), 1.1 + 0.43 + off));
+  const double turn = std::atan(0.08);  // neither wall is square to it
+  all.push_back(gap_merge("askew_off_a_corner", corner,
+                          staggered_plate({0.9, 0.97, off}, {1.1 - off, 0.08 * (1.1 - off), 0}, {0, 0, 0.43}, kSize,
+                                          "STIFFENER", kIrregular),
+                          1.1 / std::cos(turn) + 0.43 + off));
   const std::array<Model, 3> ribbed{staggered_plate({0, 0, 0}, {1, 0, 0}, {0, 2, 0}, kSize, "WALL"),
                                     staggered_plate({1, 0, 0}, {1, 0, 0}, {0, 2, 0}, kSize, "WALL"),
                                     staggered_plate({1, 0, 0}, {0, 0, 0.6}, {0, 2, 0}, kSize, "RIB")};
@@ -94,7 +101,9 @@ std::vector<Merge> gap_catalogue() {
   std::vector<Merge> all;
   add_walls(all);
   add_corners(all);
+  const std::size_t n_flat = all.size();
   add_curved(all);
+  for (std::size_t k = n_flat; k < all.size(); ++k) all[k].max_off = 0.1;
   return all;
 }
 
