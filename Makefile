@@ -1,6 +1,7 @@
 # Everything a newcomer needs, on Debian 12 with nothing but git and make installed.
 #
 #   make demo      build, merge two stiffeners into the caisson, show what came out
+#   make figures   draw the figures of docs/figures.md anew
 #   make test      build and run the tests
 #   make build     build only; the program is build/release/meshgraft
 #   make sanitize  the tests again, under the address and undefined-behaviour sanitizers
@@ -17,12 +18,16 @@ SCENES := 1000
 SOURCES = $(shell git ls-files 'include/*.hpp' 'src/*.[ch]pp' 'tests/*.[ch]pp' 'bench/*.[ch]pp' 'validation/*.[ch]pp' \
   'tools/*.[ch]pp' 'examples/*.cpp')
 
-.PHONY: demo test build sanitize soak bench validation method format lint clean packages
+.PHONY: demo figures test build sanitize soak bench validation method format lint clean packages
 .DEFAULT_GOAL := build
 
 demo: build/release/build.ninja
 	cmake --build build/release --target meshgraft_cli meshgraft_draw
 	tools/demo build/release build/demo
+
+figures: build/release/build.ninja
+	cmake --build build/release --target write_figures meshgraft_draw
+	tools/figures build/release docs/images
 
 test: build
 	ctest --preset release -j $(JOBS)

@@ -5,6 +5,7 @@
 
 #include "cli/command_reader.hpp"
 #include "cli/cut_arguments.hpp"
+#include "cli/fill_arguments.hpp"
 #include "cli/help.hpp"
 #include "cli/zone_options.hpp"
 
@@ -35,12 +36,6 @@ Result<Overlap> overlap(const Typed& typed) {
   return choice(typed, kNames).map([](std::size_t k) { return kOverlaps[k]; });
 }
 
-Result<Method> method(const Typed& typed) {
-  static const std::vector<std::string> kNames{"adaptive", "paper"};
-  static constexpr std::array kMethods{Method::kAdaptive, Method::kPaper};
-  return choice(typed, kNames).map([](std::size_t k) { return kMethods[k]; });
-}
-
 class MergeCommand : public CommandReader<MergeArguments> {
  public:
   explicit MergeCommand(CLI::App& app)
@@ -57,9 +52,7 @@ class MergeCommand : public CommandReader<MergeArguments> {
     a_.value("--overlap", "KIND",
              "where faces lie on each other: fuse (one layer in the groups of both), keep-base or keep-part (the other "
              "side's faces go), project (two layers on the same nodes) [default: fuse]");
-    a_.value("--method", "METHOD",
-             "how the zone is filled: adaptive (the mesh that was there, improved) or paper (deleted, filled, refined, "
-             "deformed) [default: adaptive]");
+    add_method_option(a_);
     add_blend_option(a_, "; with --method paper");
     a_.value("--angle", "DEG", "faces that meet at less than this lie on each other; degrees [default: 20]");
     a_.value("--trim", "beyond=LEN|none",
@@ -156,6 +149,7 @@ const std::map<std::string, std::string>& usage() {
   static const std::map<std::string, std::string> kUsage{{"", "COMMAND ... | --help | --version"},
                                                          {"merge", "merge BASE [PART...] -o OUT [options]"},
                                                          {"cut", "cut BASE [TOOL] --drop WHAT -o OUT [options]"},
+                                                         {"fill", "fill FILE -o OUT [options] | fill FILE --list"},
                                                          {"check", "check FILE [options]"},
                                                          {"info", "info FILE [options]"},
                                                          {"convert", "convert IN OUT [options]"}};
@@ -164,8 +158,8 @@ const std::map<std::string, std::string>& usage() {
 
 /// `extras`: what stands outside of any command.
 Failure no_command(const std::vector<std::string>& extras) {
-  static const std::vector<std::string> kCommands{"merge", "cut", "check", "info", "convert"};
-  constexpr const char* kHint = "commands: merge, cut, check, info, convert; see meshgraft --help";
+  static const std::vector<std::string> kCommands{"merge", "cut", "fill", "check", "info", "convert"};
+  constexpr const char* kHint = "commands: merge, cut, fill, check, info, convert; see meshgraft --help";
   if (extras.empty()) return failure(ErrorCode::kUsage, "no command", kHint);
   const std::string& word = extras.front();
   if (word.starts_with('-'))
@@ -190,6 +184,7 @@ Result<Command> command(std::span<const char* const> arguments) {
 
   MergeCommand merge(app);
   CutReader cut(app);
+  FillReader fill(app);
   CheckCommand check(app);
   InfoCommand info(app);
   ConvertCommand convert(app);
@@ -214,6 +209,7 @@ Result<Command> command(std::span<const char* const> arguments) {
   if (!extras.empty()) return no_command(extras);
   if (merge.called()) return merge.read();
   if (cut.called()) return cut.read();
+  if (fill.called()) return fill.read();
   if (check.called()) return check.read();
   if (info.called()) return info.read();
   if (convert.called()) return convert.read();

@@ -1,6 +1,7 @@
 // The command line, understood: what to do, with which files and options.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <variant>
@@ -38,6 +39,13 @@ struct CutArguments {
   Common common;
 };
 
+struct FillArguments {
+  MergeArguments mesh;                // base, output and options; no parts
+  std::vector<std::size_t> contours;  // as in FillOptions
+  bool list = false;                  // only tell which there are
+  Common common;
+};
+
 struct CheckArguments {
   std::string file;
   double min_quality = 0.5;
@@ -59,7 +67,8 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, MergeArguments, CutArguments, CheckArguments, InfoArguments, ConvertArguments>;
+using Command =
+    std::variant<Answer, MergeArguments, CutArguments, FillArguments, CheckArguments, InfoArguments, ConvertArguments>;
 
 /// Understands the arguments after the program's name. Errors: kUsage, naming the value, what is
 /// allowed, and the nearest existing name where one was mistyped.

@@ -9,6 +9,7 @@ namespace meshgraft::cli {
 [[nodiscard]] ExitCode run(const Answer& answer);
 [[nodiscard]] ExitCode run(const MergeArguments& arguments);
 [[nodiscard]] ExitCode run(const CutArguments& arguments);
+[[nodiscard]] ExitCode run(const FillArguments& arguments);
 [[nodiscard]] ExitCode run(const CheckArguments& arguments);
 [[nodiscard]] ExitCode run(const InfoArguments& arguments);
 [[nodiscard]] ExitCode run(const ConvertArguments& arguments);

@@ -179,7 +179,8 @@ void print_details(const Report& report) {
 
 void print_summary(const Report& report, const MergeArguments& arguments, std::string_view written) {
   const bool is_cut = std::ranges::find(report.dropped, "cut", &DroppedEntry::cause) != report.dropped.end();
-  print_line(is_cut ? "cut" : "parts met", junction(report, arguments));
+  const bool is_filled = std::ranges::find(report.junction, "filled", &PolylineSummary::kind) != report.junction.end();
+  print_line(is_cut ? "cut" : is_filled ? "filled" : "parts met", junction(report, arguments));
   if (!report.dropped.empty()) print_line("dropped", dropped(report));
   print_line("zone", zone(report, arguments));
   print_line("quality", quality(report, arguments));

@@ -55,7 +55,7 @@ void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& tra
 }  // namespace
 
 Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged) {
-  const auto& [inputs, components, original, corefined, zone, dropped, translated, options] = operation;
+  const auto& [inputs, components, original, corefined, zone, dropped, translated, options, fills] = operation;
   Report& report = merged.report;
   Graft& graft = merged.graft;
   report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
@@ -72,9 +72,9 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   merged.labels = std::move(*labels);
 
   watch.start("check", 0.9);
-  const Outcome outcome{inputs,        components, original, corefined,     NodePlaces(inputs, corefined),
-                        final_complex, stitched,   graft,    merged.labels, dropped,
-                        two_layers};
+  Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
+                  graft,  merged.labels, dropped,  two_layers};
+  outcome.fills = fills;
   summarise(outcome, report);
   judge(outcome, zone.remeshed, translated, options, report);
   Dropped overlaid = dropped;

@@ -21,6 +21,7 @@ struct Operation {
   const Dropped& dropped;
   SetTranslation& translated;
   const MergeOptions& options;
+  bool fills = false;  // new faces replace nothing: they are in the groups that all faces around share
 };
 
 /// Stitches, gives labels, checks, and completes the report with all that is told by these; `merged`

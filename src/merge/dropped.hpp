@@ -37,6 +37,10 @@ struct Dropped {
   /// By merged group: what faces and 1D elements have grown by (less than 0: shrunk) because nodes were moved to
   /// close gaps; empty: none was.
   std::vector<double> stretched_area, stretched_length;
+  std::vector<double> filled_area;  // by merged group: of faces that fill holes; empty: none does
+  [[nodiscard]] double filled_area_of(GroupId g) const {
+    return filled_area.size() > g.value ? filled_area[g.value] : 0;
+  }
   double slack = 0;  // area between curved borders and their chords, by which amounts may differ
 };
 

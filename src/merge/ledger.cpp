@@ -172,10 +172,11 @@ std::string kind_of(const Sum& before, const Sum& after) {
 std::string rule_of(const Change& change, const Dropped& dropped, std::size_t g, std::size_t n_inputs) {
   std::vector<std::string> rules;
   if (n_inputs > 1) rules.push_back("united from " + std::to_string(n_inputs) + " inputs");
-  if (change.inherited[g] != 0) rules.emplace_back("inherited from parent");
+  if (change.inherited[g] != 0 && dropped.filled_area.empty()) rules.emplace_back("inherited from parent");
   if (dropped.touches(GroupId(g)) && change.reduced[g] != 0) rules.emplace_back("reduced by what was dropped");
   if (change.inherited[g] == 0 && change.reduced[g] != 0 && !dropped.touches(GroupId(g)))
     rules.emplace_back("removed with their surroundings");
+  if (change.inherited[g] != 0 && !dropped.filled_area.empty()) rules.emplace_back("extended over filled holes");
   if (dropped.stretched_area_of(GroupId(g)) != 0 || dropped.stretched_length_of(GroupId(g)) != 0)
     rules.emplace_back("stretched over gaps");
   if (change.joined[g] != 0) rules.emplace_back("joined by nodes that took another's place");
@@ -258,7 +259,7 @@ Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& beside, const
     const std::string emptied = "had " + std::to_string(entry.members_before) + " members and is empty now";
     if (entry.members_before == 0 || entry.members_after > 0)
       check(entry,
-            {before.area - dropped.area_of(id) + dropped.stretched_area_of(id),
+            {before.area - dropped.area_of(id) + dropped.stretched_area_of(id) + dropped.filled_area_of(id),
              before.length - dropped.length_of(id) + dropped.stretched_length_of(id), dropped.slack},
             options, ledger.broken);
     else if (dropped.touches(id))

@@ -157,13 +157,15 @@ class ResultCheck {
       if (!outcome_.is_changed(f)) continue;
       const ElementRef parent = complex_.parent[k];
       const Model& model = *outcome_.inputs[parent.input];
-      if (dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
+      const bool replaces = !outcome_.fills;  // a cap may be turned any way against the faces around
+      if (replaces && dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
         turned.add(outcome_.text(f) + " is turned against " + text_of(outcome_.inputs, parent) + ", which it replaces",
                    outcome_.parent_place(f));
       const ElementRef beneath = complex_.layer_of(f).parent;
       GroupSetId wanted = translated_.of(parent);
       if (beneath.valid() && !outcome_.two_layers) wanted = translated_.unite(wanted, translated_.of(beneath));
-      if (complex_.face_groups[k] != wanted)
+      const GroupSetId has = complex_.face_groups[k];
+      if (outcome_.fills ? translated_.unite(wanted, has) != wanted : has != wanted)
         groups.add(
             outcome_.text(f) + " is not in the groups of " + text_of(outcome_.inputs, parent) + ", which it replaces",
             outcome_.parent_place(f));

@@ -31,7 +31,7 @@ class Blender {
 
   [[nodiscard]] bool is_free(VertexId v) const {
     const LocalVertex& vertex = mesh().vertex(v);
-    if (!mesh().is_new(v) || vertex.fixed || vertex.dimension != Dimension::kSheet) return false;
+    if (vertex.fixed || vertex.dimension != Dimension::kSheet) return false;
     return filled_[vertex.sheet.value] != 0 && !mesh().sheet(vertex.sheet).planar;
   }
   /// Whether a vertex of the face is free.

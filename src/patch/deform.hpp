@@ -33,9 +33,11 @@ struct DeformOptions {
 /// as data, not in the mechanical model.
 ///
 /// The inner operator is the Laplacian of the cubic that fits two rings of nodes best, the outer ones have
-/// cotangent weights: of any tangent frame, surfaces of third degree are reproduced. Where a smooth surface is cut
-/// out over a fixed number of edges of length h, the distance from it falls like h^2, h^3 or faster, h^4 or faster, the
-/// deviation of the normals with one order less.
+/// cotangent weights: surfaces of third degree over any of their tangent planes are reproduced. Where a smooth surface
+/// is cut out over a fixed number of edges of length h, the distance from it falls like h^2, h^3 or faster, h^4 or
+/// faster, the deviation of the normals with one order less.
+///
+/// Next to an open border of the piece, which has no surroundings to continue, tangency stands for curvature.
 ///
 /// Cost: a sparse factorisation per round. If a system is singular or a move would turn faces over, what has been
 /// reached by then is returned.

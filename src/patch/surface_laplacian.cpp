@@ -127,6 +127,7 @@ const NodeWeights& SurfaceLaplacian::density(std::size_t node, int n) {
 
 NodeWeights SurfaceLaplacian::power(std::size_t node, int n) {
   if (n == 1) return cotangents(node);
+  if (n > 2 && std::ranges::any_of(neighbours_[node], [&](std::size_t v) { return is_on_border(v); })) n = 2;
   NodeWeights weights;
   for (const auto& [v, w] : cotangents(node)) add(weights, density(v, n - 1), w);
   return weights;

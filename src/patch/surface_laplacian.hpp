@@ -21,10 +21,12 @@ class SurfaceLaplacian {
   SurfaceLaplacian(std::span<const std::array<std::uint32_t, 3>> faces, const std::vector<Vec3>& position);
 
   /// 1: the cotangent Laplacian, integrated over the cell of the node. 2, 3: the same applied once or twice to the
-  /// Laplacian of the cubic fit at the nodes around.
+  /// Laplacian of the cubic fit at the nodes around. Next to an open border, where the cells of nodes are cut off, 2
+  /// stands for 3.
   [[nodiscard]] NodeWeights power(std::size_t node, int n);
 
  private:
+  [[nodiscard]] bool is_on_border(std::size_t node) const { return neighbours_[node].size() != faces_at_[node].size(); }
   [[nodiscard]] NodeWeights cotangents(std::size_t node) const;
   /// Of the polynomial through two rings of nodes in the tangent plane, by least squares; of second degree, or
   /// the mean of the neighbours, where there are too few nodes.

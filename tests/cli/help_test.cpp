@@ -32,7 +32,7 @@ TEST(Help, SaysTheDefaultOfEveryOptionOfMerge) {
 
 TEST(Help, FitsOnAScreen) {
   const Folder folder;
-  for (const char* command : {"merge", "check", "info", "convert"}) {
+  for (const char* command : {"merge", "cut", "fill", "check", "info", "convert"}) {
     const std::string out = folder.run({command, "-h"}).out;
     for (std::size_t begin = 0; begin < out.size();) {
       const std::size_t end = out.find('\n', begin);

@@ -35,9 +35,9 @@ TEST_P(WrongUsage, IsExplainedAndNothingIsWritten) {
 INSTANTIATE_TEST_SUITE_P(
     Of, WrongUsage,
     testing::Values(
-        Wrong{"NoCommand", {}, {"no command", "merge, cut, check, info, convert"}},
+        Wrong{"NoCommand", {}, {"no command", "merge, cut, fill, check, info, convert"}},
         Wrong{"MistypedCommand", {"mrege", "a", "b"}, {"'mrege'", "did you mean 'merge'?"}},
-        Wrong{"UnknownCommand", {"weld"}, {"unknown command 'weld'", "merge, cut, check, info, convert"}},
+        Wrong{"UnknownCommand", {"weld"}, {"unknown command 'weld'", "merge, cut, fill, check, info, convert"}},
         Wrong{"OptionBeforeCommand", {"-v", "merge", "a", "b"}, {"'-v' stands before the command"}},
         Wrong{"NoBase", {"merge"}, {"BASE", "is missing", "meshgraft merge --help"}},
         Wrong{"JoinWithoutColon", merge_with({"--join", "WALL"}), {"--join", "'WALL' is not two names"}},

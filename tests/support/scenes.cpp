@@ -191,4 +191,28 @@ Model welded(const Model& model) {
   return builder.build(model.path);
 }
 
+Model without_faces(const Model& model, const std::function<bool(Vec3 centroid)>& goes) {
+  ModelBuilder builder;
+  std::map<NodeId, NodeId> node;
+  for (std::size_t e = 0; e < model.n_elements(); ++e) {
+    const ElementId id(e);
+    const auto corner = model.corners(id);
+    if (goes((corner[0] + corner[1] + corner[2]) / 3.0)) continue;
+    std::array<NodeId, 3> v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const NodeId old = model.nodes_of(id)[k];
+      if (!node.contains(old)) {
+        node[old] = builder.add_node(model.position[old.value], model.node_label[old.value]);
+        for (const GroupId g : model.group_sets.members(model.node_groups[old.value]))
+          builder.add_to_group(model.groups[g.value].name, node[old]);
+      }
+      v[k] = node[old];
+    }
+    const ElementId face = builder.add_element(model.attributes_of(id), v);
+    for (const GroupId g : model.group_sets.members(model.element_groups[e]))
+      builder.add_to_group(model.groups[g.value].name, face);
+  }
+  return builder.build(model.path);
+}
+
 }  // namespace meshgraft::scenes

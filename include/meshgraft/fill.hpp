@@ -1,0 +1,58 @@
+// Filling of holes: faces where a mesh has none.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshgraft/merge.hpp"
+#include "meshgraft/model.hpp"
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
+
+namespace meshgraft {
+
+/// A closed chain of free edges.
+struct Contour {
+  /// In order, what is open on the left; starts at the smallest label. A node in which the mesh touches itself across
+  /// the opening is there several times.
+  std::vector<NodeId> nodes;
+  double length = 0;
+  Vec3 centre;  // mean of the nodes
+  /// The surface around goes on into it: its area vector makes less than 60 degrees with the mean normal of the
+  /// faces around. Otherwise it is the outer border of an open shell, or the end of a pipe.
+  bool is_hole = false;
+  /// All its faces are linear triangles and turned alike.
+  bool is_fillable = true;
+};
+
+/// All contours of the surface elements of a model, the longest first (equal ones: the smaller label). Holes that
+/// touch in a node are contours of their own. Cost O(m log m).
+[[nodiscard]] std::vector<Contour> contours_of(const Model& model);
+
+struct FillOptions {
+  /// Positions in contours_of(); empty: all that are holes and fillable.
+  std::vector<std::size_t> contours;
+  /// min_quality, size (by default that of the faces around), blend, progress. With Method::kPaper the mesh is left as
+  /// the paper makes it; otherwise it is improved once the surface is known.
+  MergeOptions zone;
+};
+
+/// Fills contours of `base` with triangles that continue the surface around them (paper 5.5, 5.6; see
+/// MergeOptions::blend) and its edge lengths.
+///
+///  (1) No element and no node of the base changes.
+///  (2) New faces are turned like those around. They have the attributes that hold along the greatest part of the
+///      contour, and are in the groups that all faces along the contour are in.
+///  (3) New nodes are in the node groups that all nodes of the contour are in, and in those that covered a group that
+///      the new faces are in.
+///  (4) Labels count on from the largest.
+///
+/// The result has one input: apply(base, {}, result) and write_unv(base, {}, result, ...). Contours left open by an
+/// empty `contours` are warnings.
+///
+/// Errors: those of merge(); kUsage if a contour is asked for that there is not, or there is none to fill;
+/// kUnsupportedElement if one is not fillable; kJunctionNotResolved, with the place, if no triangulation follows the
+/// surface.
+[[nodiscard]] Result<Merged> fill(const Model& base, const FillOptions& options = {});
+
+}  // namespace meshgraft

@@ -1,0 +1,43 @@
+// A complex with its holes closed, and the shape of what closes them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/complex.hpp"
+#include "meshgraft/fill.hpp"
+#include "remesh/remesh.hpp"
+
+namespace meshgraft {
+
+/// A contour in the complex around it.
+struct Rim {
+  std::vector<VertexId> vertices;  // in the order of the contour
+  std::vector<FaceId> faces;       // of the side to the next vertex
+};
+
+/// Faces are those around, then the patches.
+struct Patched {
+  Complex complex;
+  std::size_t n_around = 0;           // faces around
+  std::vector<std::uint32_t> patch;   // by face after those: which it is of
+  std::vector<std::uint8_t> in_zone;  // by face: it is of a patch
+};
+
+/// Closes the rims with as few faces as possible. Each patch takes its attributes from the face that stands for the
+/// greatest part of the rim, and the groups that all faces of the rim share.
+///
+/// Nothing, and the position of the rim, if one cannot be closed along the surface.
+[[nodiscard]] tl::expected<Patched, std::size_t> patched(const Complex& around, std::span<const Rim> rims,
+                                                         GroupSets& groups);
+
+/// Edge lengths of a patch: those of the faces around its rim, the near ones counting most; or `size`.
+[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Rim> rims, std::optional<double> size);
+
+/// Gives patches the density of `sizing` and the shape that continues what is around (paper 5.6). With
+/// Method::kAdaptive the mesh is improved on that surface afterwards.
+[[nodiscard]] Remeshed shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups,
+                              const MergeOptions& options);
+
+}  // namespace meshgraft

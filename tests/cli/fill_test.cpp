@@ -1,0 +1,81 @@
+// The command `fill`: what is listed, what is written, and what is refused.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "meshgraft/check.hpp"
+#include "meshgraft/unv.hpp"
+#include "program.hpp"
+
+namespace meshgraft::cli_tests {
+namespace {
+
+double area(const Folder& folder, const std::string& name) { return check(read_unv(folder / name).value()).area; }
+
+/// holed.unv: the plate base.unv with a square hole.
+void put_holed(const Folder& folder) {
+  folder.put_plates();
+  ASSERT_EQ(
+      folder.run({"cut", "base.unv", "--box", "0.31,0.33,-1,0.62,0.64,1", "--drop", "inside", "-o", "holed.unv"}).code,
+      0);
+}
+
+TEST(Fill, ListsContoursWithTheirNumbers) {
+  const Folder folder;
+  put_holed(folder);
+  const Outcome outcome = folder.run({"fill", "holed.unv", "--list"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out.rfind("contour 1", 0), 0u) << outcome.out;
+  EXPECT_NE(outcome.out.find("outer border"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ncontour 2"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("hole; "), std::string::npos) << outcome.out;
+  EXPECT_EQ(folder.run({"fill", "holed.unv", "--list", "-o", "out.unv"}).code, 2);
+}
+
+TEST(Fill, WritesTheFilledMeshAndSummarises) {
+  const Folder folder;
+  put_holed(folder);
+  const Outcome outcome = folder.run({"fill", "holed.unv", "-o", "out.unv", "--report", "r.json"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("[left-open]"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("filled ", 0), 0u) << outcome.out;
+  EXPECT_EQ(folder.run({"check", "-q", "out.unv"}).code, 0);
+  EXPECT_NEAR(area(folder, "out.unv"), area(folder, "base.unv"), 1e-9);
+  const auto report = nlohmann::json::parse(folder.text("r.json"));
+  ASSERT_EQ(report["junction"].size(), 1u);
+  EXPECT_EQ(report["junction"][0]["kind"], "filled");
+  EXPECT_EQ(report["zone"]["faces_removed"], 0);
+  EXPECT_GT(report["zone"]["faces_created"], 0);
+  EXPECT_GE(report["quality"]["min"], 0.5);
+
+  // Up to the end of the old nodes the text is the same.
+  const std::string before = folder.text("holed.unv"), after = folder.text("out.unv");
+  const std::size_t end = before.find("\n    -1\n", before.find("\n  2411\n"));
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_EQ(after.substr(0, end), before.substr(0, end));
+}
+
+TEST(Fill, RefusesWhatCannotBe) {
+  const Folder folder;
+  put_holed(folder);
+  for (const std::vector<std::string>& extra : {std::vector<std::string>{"--contour", "7"},
+                                                {"--contour", "0"},
+                                                {"--contour", "x"},
+                                                {"--blend", "smooth"},
+                                                {"--contour", "all", "--contour", "2"},
+                                                {"--size", "-1"}}) {
+    std::vector<std::string> arguments{"fill", "holed.unv", "-o", "out.unv"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, 2) << extra[1] << outcome.err;
+    EXPECT_FALSE(folder.has("out.unv"));
+  }
+  EXPECT_EQ(folder.run({"fill", "base.unv", "-o", "out.unv"}).code, 2);  // nothing but its outer border
+  EXPECT_EQ(folder.run({"fill", "-o", "out.unv"}).code, 2);
+  EXPECT_EQ(folder.run({"fill", "holed.unv"}).code, 2);
+  EXPECT_EQ(folder.run({"fill", "none.unv", "-o", "out.unv"}).code, 3);
+}
+
+}  // namespace
+}  // namespace meshgraft::cli_tests

@@ -1,0 +1,296 @@
+// Filling of holes: laws that every filling keeps, and surfaces that are known.
+#include "meshgraft/fill.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "geometry/quality.hpp"
+#include "meshgraft/check.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+using scenes::without_faces;
+
+std::function<bool(Vec3)> within(Vec3 centre, double radius) {
+  return [=](Vec3 p) { return distance(p, centre) < radius; };
+}
+
+Merged made(const Model& base, const FillOptions& options = {}) {
+  Result<Merged> result = fill(base, options);
+  if (!result) throw std::runtime_error(to_string(result.error()));
+  return std::move(*result);
+}
+
+std::vector<std::string> broken(const Report& report) {
+  std::vector<std::string> all;
+  for (const Error& e : report.broken_promises) all.push_back(to_string(e));
+  return all;
+}
+
+/// What every filling keeps, in words; empty if all holds.
+std::string broken_laws(const Model& base, const Merged& m) {
+  for (const auto& removed : m.graft.removed_elements)
+    if (!removed.empty()) return "an element is gone";
+  for (const auto& removed : m.graft.removed_nodes)
+    if (!removed.empty()) return "a node is gone";
+  if (!m.graft.moved_nodes.empty()) return "a node has moved";
+  const Model result = apply(base, {}, m);
+  for (std::size_t n = 0; n < base.n_nodes(); ++n)
+    if (result.node_label[n] != base.node_label[n] || result.position[n] != base.position[n]) return "a node differs";
+  for (std::size_t e = 0; e < base.n_elements(); ++e)
+    if (result.element_label[e] != base.element_label[e]) return "an element differs";
+  const std::int64_t last_node = *std::ranges::max_element(base.node_label);
+  for (std::size_t n = base.n_nodes(); n < result.n_nodes(); ++n)
+    if (result.node_label[n] != last_node + 1 + static_cast<std::int64_t>(n - base.n_nodes())) return "a label jumps";
+  const CheckResult check = meshgraft::check(result);
+  if (!check.sound()) return "the result is not sound";
+  if (check.flipped_edges > 0) return "a face is turned over";
+  if (check.n_orphan_nodes > 0) return "a node is alone";
+  return {};
+}
+
+TEST(Contours, HolesAreToldFromTheOuterBorder) {
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1);
+  const Model holed = without_faces(plate, [](Vec3 p) {
+    return distance(p, {0.5, 0.5, 0}) < 0.2 || distance(p, {1.4, 0.5, 0}) < 0.3;
+  });
+  const auto contours = contours_of(holed);
+  ASSERT_EQ(contours.size(), 3u);
+  EXPECT_NEAR(contours[0].length, 6, 1e-12);
+  EXPECT_FALSE(contours[0].is_hole);
+  EXPECT_TRUE(contours[1].is_hole && contours[2].is_hole);
+  EXPECT_GT(contours[1].length, contours[2].length);
+  EXPECT_NEAR(contours[1].centre.x, 1.4, 0.05);
+}
+
+TEST(Contours, TheEndsOfAPipeAreNoHolesAndTheMouthOfASphereIsOne) {
+  for (const Contour& c : contours_of(scenes::cylinder({0, 0, 0}, {0, 0, 1}, 0.3, 0.1))) EXPECT_FALSE(c.is_hole);
+  const auto mouth = contours_of(without_faces(scenes::sphere({0, 0, 0}, 1, 8), within({0, 0, 1}, 0.5)));
+  ASSERT_EQ(mouth.size(), 1u);
+  EXPECT_TRUE(mouth[0].is_hole);
+}
+
+TEST(Contours, HolesThatTouchInANodeAreTwo) {
+  const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
+  // Two squares of cells, corner to corner at (0.5, 0.5).
+  const Model holed = without_faces(plate, [](Vec3 p) {
+    const bool low = p.x > 0.3 && p.x < 0.5 && p.y > 0.3 && p.y < 0.5;
+    return low || (p.x > 0.5 && p.x < 0.7 && p.y > 0.5 && p.y < 0.7);
+  });
+  const auto contours = contours_of(holed);
+  ASSERT_EQ(contours.size(), 3u);
+  EXPECT_EQ(contours[1].nodes.size(), 8u);
+  EXPECT_EQ(contours[2].nodes.size(), 8u);
+  const Merged m = made(holed);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  EXPECT_EQ(broken_laws(holed, m), "");
+  EXPECT_NEAR(check(apply(holed, {}, m)).area, 1, 1e-12);
+}
+
+TEST(Fill, HolesOfAPlateAreFilledAndItsBorderIsLeftOpenWithAWarning) {
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1, "PLATE", 0.15);
+  const Model holed = without_faces(plate, [](Vec3 p) {
+    return distance(p, {0.5, 0.5, 0}) < 0.2 || distance(p, {1.4, 0.5, 0}) < 0.3;
+  });
+  const Merged m = made(holed);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  EXPECT_EQ(broken_laws(holed, m), "");
+  const Model result = apply(holed, {}, m);
+  EXPECT_NEAR(check(result).area, 2, 1e-9);
+  EXPECT_EQ(contours_of(result).size(), 1u);
+  EXPECT_GE(m.report.quality.min, 0.5);
+  EXPECT_EQ(m.report.junction.size(), 2u);
+  EXPECT_EQ(std::ranges::count(m.report.warnings, "left-open", &Warning::name), 1);
+  ASSERT_EQ(m.report.groups.size(), 1u);
+  EXPECT_EQ(m.report.groups[0].rule, "extended over filled holes");
+  EXPECT_NEAR(m.report.groups[0].area_after, 2, 1e-9);
+}
+
+TEST(Fill, OnlyTheContourThatIsNamedIsFilled) {
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1);
+  const Model holed = without_faces(plate, [](Vec3 p) {
+    return distance(p, {0.5, 0.5, 0}) < 0.2 || distance(p, {1.4, 0.5, 0}) < 0.3;
+  });
+  FillOptions options;
+  options.contours = {2};
+  const Merged m = made(holed, options);
+  EXPECT_EQ(broken_laws(holed, m), "");
+  const auto left = contours_of(apply(holed, {}, m));
+  ASSERT_EQ(left.size(), 2u);
+  EXPECT_NEAR(left[1].centre.x, 1.4, 0.05);
+  options.contours = {3};
+  EXPECT_EQ(fill(holed, options).error().code, ErrorCode::kUsage);
+}
+
+TEST(Fill, AClosedMeshHasNothingToFill) {
+  EXPECT_EQ(fill(scenes::sphere({0, 0, 0}, 1, 4)).error().code, ErrorCode::kUsage);
+}
+
+TEST(Fill, AnEndOfAPipeThatIsNamedGetsACap) {
+  const Model pipe = scenes::cylinder({0, 0, 0}, {0, 0, 1}, 0.3, 0.1);
+  FillOptions options;
+  options.contours = {0};
+  const Merged m = made(pipe, options);
+  for (const std::string& promise : broken(m.report)) EXPECT_NE(promise.find("Q below"), std::string::npos) << promise;
+  EXPECT_EQ(broken_laws(pipe, m), "");
+  EXPECT_EQ(contours_of(apply(pipe, {}, m)).size(), 1u);
+}
+
+TEST(Fill, NewFacesAreInTheGroupsThatAllFacesAroundShare) {
+  ModelBuilder builder;
+  const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1, "WALL");
+  for (std::size_t n = 0; n < plate.n_nodes(); ++n) {
+    const NodeId node = builder.add_node(plate.position[n]);
+    builder.add_to_group("ALL_NODES", node);
+    if (plate.position[n].x < 0.55) builder.add_to_group("LEFT_NODES", node);
+  }
+  for (std::size_t e = 0; e < plate.n_elements(); ++e) {
+    const Vec3 c = centroid(plate.corners(ElementId(e)));
+    const auto v = plate.nodes_of(ElementId(e));
+    const ElementId face = builder.add_face(v[0], v[1], v[2], c.x < 0.6 ? 1 : 2);
+    builder.add_to_group("WALL", face);
+    if (c.x < 0.5) builder.add_to_group("LEFT", face);
+  }
+  const Model base = without_faces(builder.build(), within({0.5, 0.5, 0}, 0.2));
+
+  const Merged m = made(base);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  const Model result = apply(base, {}, m);
+  const auto names = [&](GroupSetId set) {
+    std::set<std::string> all;
+    for (const GroupId g : result.group_sets.members(set)) all.insert(result.groups[g.value].name);
+    return all;
+  };
+  ASSERT_GT(result.n_elements(), base.n_elements());
+  for (std::size_t e = base.n_elements(); e < result.n_elements(); ++e) {
+    EXPECT_EQ(names(result.element_groups[e]), (std::set<std::string>{"WALL"}));
+    EXPECT_EQ(result.attributes_of(ElementId(e)).physical, 1);  // of the greater part of the contour
+  }
+  for (std::size_t n = base.n_nodes(); n < result.n_nodes(); ++n)
+    EXPECT_EQ(names(result.node_groups[n]), (std::set<std::string>{"ALL_NODES"}));
+}
+
+TEST(FillLaws, RandomHolesInAPlate) {
+  EXPECT_TRUE(rc::check([] {
+    scenes::Surface s;
+    s.at = [](double u, double v) { return Vec3{u, v, 0}; };
+    s.nu = s.nv = 16, s.jitter = 0.25;
+    s.seed = static_cast<std::uint32_t>(*rc::gen::inRange(1, 1000000));
+    const Model plate = scenes::surface(s);
+    std::vector<std::pair<Vec3, double>> holes;
+    for (int k = *rc::gen::inRange(1, 4); k > 0; --k)
+      holes.push_back({{*rc::gen::inRange(20, 80) / 100.0, *rc::gen::inRange(20, 80) / 100.0, 0},
+                       *rc::gen::inRange(5, 15) / 100.0});
+    const Model holed = without_faces(plate, [&](Vec3 p) {
+      return std::ranges::any_of(holes, [&](const auto& h) { return distance(p, h.first) < h.second; });
+    });
+    const auto contours = contours_of(holed);
+    RC_PRE(std::ranges::any_of(contours, &Contour::is_hole));
+    const Merged m = made(holed);
+    const std::string fault = broken_laws(holed, m);
+    if (!fault.empty()) RC_FAIL(fault);
+    const Model result = apply(holed, {}, m);
+    RC_ASSERT(contours_of(result).size() == std::size_t(std::ranges::count(contours, false, &Contour::is_hole)));
+    RC_ASSERT(std::abs(check(result).area - check(holed).area - (1 - check(holed).area)) < 1e-9);
+    const Merged again = made(holed);
+    RC_ASSERT(apply(holed, {}, again).position == result.position);
+  }));
+}
+
+struct Known {
+  const char* name;
+  std::function<Model(double size)> model;
+  Vec3 centre;  // of the hole
+  std::function<double(Vec3)> distance;
+};
+
+std::vector<Known> known_surfaces() {
+  const auto grid = [](std::function<Vec3(double, double)> at, double half) {
+    return [=](double size) {
+      scenes::Surface s;
+      s.at = [=](double u, double v) { return at(half * (2 * u - 1), half * (2 * v - 1)); };
+      s.nu = s.nv = static_cast<std::size_t>(std::lround(2 * half / size));
+      s.jitter = 0.15;
+      return scenes::surface(s);
+    };
+  };
+  const auto saddle_height = [](double x, double y) { return 0.4 * (x * x - y * y) + 0.1 * x * x * x; };
+  return {
+      {"SphereCap",
+       [](double size) {
+         return scenes::sphere({0, 0, 0}, 1, std::size_t(std::lround(1.2 / size)));
+       },
+       {0, 0, 1},
+       [](Vec3 p) { return std::abs(norm(p) - 1); }},
+      {"Cylinder",
+       grid(
+           [](double u, double v) {
+             return Vec3{std::sin(u), v, std::cos(u)};
+           },
+           1.2),
+       {0, 0, 1},
+       [](Vec3 p) { return std::abs(std::hypot(p.x, p.z) - 1); }},
+      {"Torus",
+       grid(
+           [](double u, double v) {
+             const double r = 2 + std::cos(v);
+             return Vec3{r * std::sin(u / 3), std::sin(v), r * std::cos(u / 3)};
+           },
+           1.2),
+       {0, 0, 3},
+       [](Vec3 p) { return std::abs(std::hypot(std::hypot(p.x, p.z) - 2, p.y) - 1); }},
+      {"Saddle",
+       grid(
+           [=](double u, double v) {
+             return Vec3{u, v, saddle_height(u, v)};
+           },
+           1.2),
+       {0, 0, 0},
+       [=](Vec3 p) { return std::abs(p.z - saddle_height(p.x, p.y)); }},
+  };
+}
+
+class KnownSurface : public testing::TestWithParam<std::size_t> {};
+
+/// Removed and filled again over three edges around the centre, at three sizes.
+TEST_P(KnownSurface, ComesBackWithTheOrderOfTheContinuity) {
+  const Known known = known_surfaces()[GetParam()];
+  constexpr double kSlack = 0.7;  // of the order, for three irregular meshes whose holes are not alike
+  for (const Blend blend : {Blend::kPosition, Blend::kTangency, Blend::kCurvature}) {
+    std::vector<double> error;
+    for (const double size : {0.12, 0.06, 0.03}) {
+      const Model holed = without_faces(known.model(size), within(known.centre, 3 * size));
+      const auto contours = contours_of(holed);
+      FillOptions options;
+      options.zone.blend = blend;
+      for (std::size_t k = 0; k < contours.size(); ++k)
+        if (contours[k].is_hole) options.contours.push_back(k);
+      ASSERT_EQ(options.contours.size(), 1u);
+      const Merged m = made(holed, options);
+      EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+      EXPECT_EQ(broken_laws(holed, m), "");
+      double worst = 0;
+      for (const NewNode& n : m.graft.new_nodes) worst = std::max(worst, known.distance(n.position));
+      error.push_back(worst);
+    }
+    const double order = std::log2(error[0] / error[2]) / 2;
+    EXPECT_GE(order, static_cast<int>(blend) + 2 - kSlack)
+        << "continuity " << static_cast<int>(blend) << ": " << error[0] << " " << error[1] << " " << error[2];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, KnownSurface, testing::Range(std::size_t{0}, known_surfaces().size()),
+                         [](const auto& surface) { return std::string(known_surfaces()[surface.param].name); });
+
+}  // namespace
+}  // namespace meshgraft
