@@ -61,9 +61,9 @@ void add_corners(std::vector<Merge>& all) {
   const Model corner = welded(together(walls));
   const double off = 0.5 * kSize;
   all.push_back(gap_merge("off_a_corner", corner, stiffener(off, 90, 0.9, 2 - off), 1.1 + 0.43 + off));
-  const double turn = std::atan(0.08);  // neither wall is square to it
+  const double turn = std::atan(0.08), far = 0.3 * kSize;  // neither wall is square to it, nor as far off
   all.push_back(gap_merge("askew_off_a_corner", corner,
-                          staggered_plate({0.9, 0.97, off}, {1.1 - off, 0.08 * (1.1 - off), 0}, {0, 0, 0.43}, kSize,
+                          staggered_plate({0.9, 0.97, off}, {1.1 - far, 0.08 * (1.1 - far), 0}, {0, 0, 0.43}, kSize,
                                           "STIFFENER", kIrregular),
                           1.1 / std::cos(turn) + 0.43 + off));
   const std::array<Model, 3> ribbed{staggered_plate({0, 0, 0}, {1, 0, 0}, {0, 2, 0}, kSize, "WALL"),
