@@ -66,8 +66,6 @@ void split_long(Editor& editor) {
     if (editor.mesh().has_edge(a, b)) (void)editor.split(a, b);
 }
 
-bool is_settled(const Editor& editor, FaceId f) { return !editor.mesh().is_new(f) && editor.mesh().face(f).q >= kGood; }
-
 void flip_all(Editor& editor) {
   const std::size_t limit = 4 * editor.mesh().n_faces();  // faces made by flips come later in the loop
   for (std::size_t k = 0; k < editor.mesh().n_faces() && k < limit; ++k)
@@ -84,15 +82,19 @@ void relax(Editor& editor, Which&& which) {
   for (std::size_t k = 0; k < editor.mesh().n_vertices(); ++k) {
     const VertexId v(k);
     const LocalVertex& vertex = editor.mesh().vertex(v);
-    const auto star = editor.mesh().star(v);
-    if (vertex.fixed || star.empty() || !which(vertex)) continue;
-    if (std::ranges::all_of(star, [&](FaceId f) { return is_settled(editor, f); })) continue;
+    if (vertex.fixed || editor.mesh().star(v).empty() || !which(vertex) || is_settled(editor, v)) continue;
     editor.relax(v);
   }
   editor.forget();
 }
 
 }  // namespace
+
+bool is_settled(const Editor& editor, FaceId f) { return !editor.mesh().is_new(f) && editor.mesh().face(f).q >= kGood; }
+
+bool is_settled(const Editor& editor, VertexId v) {
+  return std::ranges::all_of(editor.mesh().star(v), [&](FaceId f) { return is_settled(editor, f); });
+}
 
 void fit_to_size(Editor& editor) {
   remove_crowded(editor);

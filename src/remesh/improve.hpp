@@ -5,17 +5,22 @@
 
 namespace meshgraft {
 
+/// A good face of the input as it was: what stands in a zone without need.
+[[nodiscard]] bool is_settled(const Editor& editor, FaceId f);
+/// The same for all faces at a vertex.
+[[nodiscard]] bool is_settled(const Editor& editor, VertexId v);
+
 /// Removes vertices that stand too close for the wanted size and splits edges too long for it.
 void fit_to_size(Editor& editor);
 
-/// Flips edges, then moves vertices, where that lowers the cost. Vertices of the inputs whose faces are all as
-/// they were, and good, are left alone.
+/// Flips edges, then moves vertices, where that lowers the cost. Settled vertices are left alone.
 void relax_all(Editor& editor);
 /// The same without flips, for the vertices of curves only.
 void relax_curves(Editor& editor);
 
 /// Flips edges and removes vertices where that brings vertices nearer to six faces (or what the angle of their
-/// sheet there has room for) and lowers the cost: irregular vertices are what keeps the mean Q down.
+/// sheet there has room for) and lowers the cost: irregular vertices are what keeps the mean Q down. Settled
+/// vertices are left alone.
 void regularise(Editor& editor);
 
 /// Mends faces with Q < `target` or too far from the reference, worst Q first, by whatever local operation

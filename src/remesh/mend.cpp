@@ -43,7 +43,8 @@ class Mender {
     for (int round = 0; round < kRounds; ++round) {
       bool better = false;
       for (std::size_t k = 0; k < mesh().n_vertices(); ++k) {
-        if (!std::exchange(waiting_[k], std::uint8_t{0}) || !is_loose(VertexId(k))) continue;
+        if (!std::exchange(waiting_[k], std::uint8_t{0}) || !is_loose(VertexId(k)) || is_settled(editor_, VertexId(k)))
+          continue;
         editor_.forget();
         better = regularise(VertexId(k)) || better;
       }
