@@ -6,8 +6,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/plane.hpp"
 #include "geometry/quality.hpp"
-#include "intersect/plane.hpp"
 #include "intersect/polygon.hpp"
 
 namespace meshgraft {

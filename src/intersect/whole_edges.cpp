@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "geometry/closest.hpp"
+#include "geometry/plane.hpp"
 #include "geometry/quality.hpp"
-#include "intersect/plane.hpp"
 #include "intersect/polygon.hpp"
 
 namespace meshgraft {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/closest.hpp"
+#include "geometry/plane.hpp"
 #include "geometry/predicates.hpp"
 
 namespace meshgraft {
@@ -11,21 +12,6 @@ namespace {
 
 constexpr double kSteepest = 0.7;     // sine between a chord and the surface at its ends, in curved openings
 constexpr std::size_t kAtOnce = 256;  // candidates sorted at a time
-
-/// The coordinate plane that a normal points out of most, seen from its tip. Dropping a coordinate rounds nothing.
-class Plane {
- public:
-  explicit Plane(Vec3 normal) {
-    const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-    const std::size_t drop = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
-    u_ = (drop + 1) % 3, v_ = (drop + 2) % 3;
-    if (normal[drop] < 0) std::swap(u_, v_);
-  }
-  [[nodiscard]] Vec2 of(Vec3 p) const { return {p[u_], p[v_]}; }
-
- private:
-  std::size_t u_ = 0, v_ = 1;
-};
 
 /// REQUIRES: c on the line a b.
 bool is_between(Vec2 a, Vec2 b, Vec2 c) {
@@ -57,12 +43,12 @@ bool Chords::is_clear(const Ring& a, std::size_t i, const Ring& b, std::size_t j
   }
   const Vec3 normal = normalized(nu + nv), middle = midpoint(p, q);
   const Plane plane(normal);
-  const Vec2 from = plane.of(p), to = plane.of(q);
+  const Vec2 from = plane(p), to = plane(q);
   const auto leaves = [&](const Ring& ring, std::size_t k, Vec2 at, Vec2 other) {
     const std::size_t n = ring.size();
     if (n == 1) return true;
-    return starts_inside(plane.of(opening_.position(ring[(k + n - 1) % n])), at,
-                         plane.of(opening_.position(ring[(k + 1) % n])), other);
+    return starts_inside(plane(opening_.position(ring[(k + n - 1) % n])), at,
+                         plane(opening_.position(ring[(k + 1) % n])), other);
   };
   if (!leaves(a, i, from, to) || !leaves(b, j, to, from)) return false;
   const double reach = squared_norm(q - p);
@@ -75,7 +61,7 @@ bool Chords::is_clear(const Ring& a, std::size_t i, const Ring& b, std::size_t j
         const bool near = squared_norm(closest_on_segment(middle, ps, pt).point - middle) <= reach;
         if (!near || dot(opening_.normal(s), normal) <= 0) continue;
       }
-      const Vec2 c = plane.of(ps), d = plane.of(pt);
+      const Vec2 c = plane(ps), d = plane(pt);
       if (s != u && s != v && turn_sign(from, to, c) == 0 && is_between(from, to, c)) return false;
       if (s != u && s != v && t != u && t != v && crosses(from, to, c, d)) return false;
     }

@@ -1,4 +1,4 @@
-// Faces seen in the plane.
+// Points seen in a coordinate plane.
 #pragma once
 
 #include <cmath>
