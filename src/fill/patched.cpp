@@ -128,7 +128,7 @@ Brep brep_of(const Patched& p, GroupSets& groups) {
       return std::ranges::all_of(p.complex.corners(f),
                                  [&](Vec3 q) { return std::abs(dot(q - origin, normal)) <= limit; });
     });
-    if (sheet.planar) sheet.normal = normal;
+    if (sheet.planar) sheet.normal = normal, sheet.origin = origin;
   }
   return brep;
 }
