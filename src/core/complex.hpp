@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -60,16 +61,17 @@ struct Complex {
   std::vector<GroupSetId> face_groups;        // m
   std::vector<AttributesId> face_attributes;  // m, equal ids = equal attributes, across inputs
 
-  /// A second input face that lies on a face, of another component: where meshes overlap, one
-  /// layer of faces stands for both.
+  /// Another input face that lies on a face, of another component: where meshes overlap, one layer of
+  /// faces stands for all.
   struct Layer {
-    ElementRef parent;  // invalid: there is none
     std::uint32_t component = 0;
+    ElementRef parent;
     GroupSetId groups = GroupSets::kEmpty;
     AttributesId attributes;
     friend constexpr auto operator<=>(const Layer&, const Layer&) = default;
   };
-  std::vector<Layer> layer;  // m, or empty where nothing overlaps; face_groups holds their groups too
+  using Layers = std::vector<Layer>;  // ascending
+  std::vector<Layers> layers;         // m, or empty where nothing overlaps; face_groups holds their groups too
 
   /// A 1D element with two nodes.
   struct Line {
@@ -114,16 +116,22 @@ struct Complex {
   /// Exchanges the faces of two complexes with all that goes with each.
   void swap_faces(Complex& other) {
     face.swap(other.face), parent.swap(other.parent), component.swap(other.component);
-    face_groups.swap(other.face_groups), face_attributes.swap(other.face_attributes), layer.swap(other.layer);
+    face_groups.swap(other.face_groups), face_attributes.swap(other.face_attributes), layers.swap(other.layers);
   }
-  /// The components a face is of, ascending; twice the same where nothing lies on it.
-  [[nodiscard]] std::array<std::uint32_t, 2> components_of(FaceId f) const {
-    const std::uint32_t own = component[f.value];
-    const Layer other = layer_of(f);
-    if (!other.parent.valid()) return {own, own};
-    return {std::min(own, other.component), std::max(own, other.component)};
+  /// What lies on a face.
+  [[nodiscard]] std::span<const Layer> layers_of(FaceId f) const {
+    return layers.empty() ? std::span<const Layer>{} : std::span<const Layer>(layers[f.value]);
   }
-  [[nodiscard]] Layer layer_of(FaceId f) const { return layer.empty() ? Layer{} : layer[f.value]; }
+  /// The components a face is of: its own, then those of its layers.
+  [[nodiscard]] std::vector<std::uint32_t> components_of(FaceId f) const {
+    std::vector<std::uint32_t> all{component[f.value]};
+    for (const Layer& layer : layers_of(f)) all.push_back(layer.component);
+    return all;
+  }
+  [[nodiscard]] bool are_of_the_same(FaceId f, FaceId g) const {
+    if (layers_of(f).empty() && layers_of(g).empty()) return component[f.value] == component[g.value];
+    return std::ranges::is_permutation(components_of(f), components_of(g));
+  }
 
   VertexId add_vertex(Vec3 p, NodeRef of, VertexState s, GroupSetId groups) {
     position.push_back(p), node.push_back(of), state.push_back(s), vertex_groups.push_back(groups);
@@ -136,7 +144,7 @@ struct Complex {
     component.push_back(std::uint32_t(from.component[like.value]));
     face_groups.push_back(GroupSetId(from.face_groups[like.value]));
     face_attributes.push_back(AttributesId(from.face_attributes[like.value]));
-    if (!from.layer.empty()) layer.push_back(Layer(from.layer[like.value]));
+    if (!from.layers.empty()) layers.push_back(Layers(from.layers[like.value]));
     return FaceId(face.size() - 1);
   }
 

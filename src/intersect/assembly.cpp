@@ -101,7 +101,7 @@ CutOut Assembly::around(std::span<const FaceId> faces) const {
     c.add_face({local(v[0]), local(v[1]), local(v[2])}, whole_, FaceId(std::size_t{out.face[i]}));
     out.marks.size.push_back(size_[out.face[i]]);
     c.face_groups.back() = pieces[i].groups;
-    if (pieces[i].layer.parent.valid()) c.layer.resize(pieces.size()), c.layer[i] = pieces[i].layer;
+    if (!pieces[i].layers.empty()) c.layers.resize(pieces.size()), c.layers[i] = pieces[i].layers;
     if (pieces[i].kept) out.marks.kept.resize(pieces.size()), out.marks.kept[i] = 1;
     out.marks.touched.push_back(pieces[i].touched);
     out.marks.active.push_back(1);
@@ -142,7 +142,7 @@ std::vector<VertexId> Assembly::put_back(const CutOut& before, const Complex& no
                         marks.touched[i],
                         kept,
                         now.face_groups[i],
-                        now.layer_of(FaceId(i))});
+                        now.layers.empty() ? Complex::Layers{} : now.layers[i]});
     }
     set_pieces(face, std::move(pieces));
   }
@@ -195,7 +195,7 @@ Complex Assembly::finished(std::vector<std::uint8_t>& touched, std::vector<std::
   const auto any_piece = [&](auto&& is) {
     return std::ranges::any_of(face_pieces_, [&](const auto& pieces) { return std::ranges::any_of(pieces, is); });
   };
-  const bool any_layer = any_piece([](const Piece& p) { return p.layer.parent.valid(); });
+  const bool any_layer = any_piece([](const Piece& p) { return !p.layers.empty(); });
   const bool any_kept = any_piece([](const Piece& p) { return p.kept != 0; });
   for (std::uint32_t f = 0; f < whole_.n_faces(); ++f)
     for (const Piece& p : pieces_of(f)) {
@@ -203,7 +203,7 @@ Complex Assembly::finished(std::vector<std::uint8_t>& touched, std::vector<std::
       c.face_groups.back() = p.groups;
       touched.push_back(p.touched);
       if (any_kept) kept.push_back(p.kept);
-      if (any_layer) c.layer.push_back(p.layer);
+      if (any_layer) c.layers.push_back(p.layers);
     }
   for (std::uint32_t l = 0; l < whole_.lines.size(); ++l)
     for (const Complex::Line& p : pieces_of_line(l)) c.lines.push_back(p);

@@ -56,7 +56,7 @@ class Assembly {
     std::array<VertexId, 3> corners;
     std::uint8_t touched = 0, kept = 0;
     GroupSetId groups;
-    Complex::Layer layer;
+    Complex::Layers layers;
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   static constexpr std::uint32_t kWhole = 0xFFFFFFFF;

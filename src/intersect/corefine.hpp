@@ -30,7 +30,7 @@ struct CorefineOptions {
 struct Corefined {
   Complex complex;  // each face lies in its parent; shared junction vertices and edges
 
-  /// Edges whose faces are not all of the same components (Complex::components_of), each once, (smaller,
+  /// Edges whose faces are not all of the same components (Complex::are_of_the_same), each once, (smaller,
   /// larger) vertex, ascending.
   std::vector<std::array<VertexId, 2>> junction_edges;
   /// Vertices in which components meet but which are on no junction edge, ascending.
@@ -59,7 +59,7 @@ struct Corefined {
   struct Covered {
     ElementRef face;
     double area = 0;        // of it that went
-    bool has_heir = false;  // another face stands for it now (Complex::Layer)
+    bool has_heir = false;  // another face stands for it now (Complex::layers)
     friend auto operator<=>(const Covered&, const Covered&) = default;
   };
   std::vector<Covered> covered;

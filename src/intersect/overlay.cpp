@@ -274,20 +274,21 @@ class Overlayer {
       marks_.kept[f.value] = 1;
       return;
     }
-    complex_.layer.resize(complex_.n_faces());
-    const Complex::Layer layer{complex_.parent[g.value], complex_.component[g.value], complex_.face_groups[g.value],
-                               complex_.face_attributes[g.value]};
-    complex_.layer[f.value] = layer;
-    complex_.face_groups[f.value] = groups_.unite(complex_.face_groups[f.value], layer.groups);
+    const std::uint32_t going = complex_.component[g.value];
+    complex_.layers.resize(complex_.n_faces());
+    Complex::Layers& layers = complex_.layers[f.value];
+    layers.push_back(
+        {going, complex_.parent[g.value], complex_.face_groups[g.value], complex_.face_attributes[g.value]});
+    std::ranges::sort(layers);
+    complex_.face_groups[f.value] = groups_.unite(complex_.face_groups[f.value], complex_.face_groups[g.value]);
     const LocalFace from = l.meeting.side[l.goes()].find(marks_.from[g.value]);
     GroupSetId common;
     for (const VertexId v : l.meeting.side[l.goes()].corners(from)) {
-      const GroupSetId own = complex_.groups_on(layer.component, v);
+      const GroupSetId own = complex_.groups_on(going, v);
       common = common.valid() ? groups_.intersect(common, own) : own;
     }
     for (const VertexId v : complex_.face[f.value])  // those with a symbol have got their groups with it
-      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v))
-        complex_.join_groups(v, layer.component, common, groups_);
+      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v)) complex_.join_groups(v, going, common, groups_);
   }
 
   void remove(std::vector<FaceId> gone) {

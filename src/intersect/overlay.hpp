@@ -28,7 +28,8 @@ struct Overlaid {
 /// both, and takes one of the two layers out.
 ///
 ///  (1) The layer of the first side remains (with Overlap::kKeepPart that of the second); what is left of the
-///      other side is joined to it along the border. Faces that stand for both have a Layer.
+///      other side is joined to it along the border. Faces that stand for both have what they
+///      took over among their layers.
 ///  (2) The border runs along edges of the side that goes (free edges, and edges beyond which the
 ///      sides diverge) and along edges where the surface of the side that stays ends.
 ///  (3) With Overlap::kFuse and kProject, borders of groups and attributes, 1D elements and single nodes of

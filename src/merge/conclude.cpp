@@ -31,16 +31,26 @@ std::vector<int> by_input(const std::vector<int>& bandwidth, const Components& c
   return largest;
 }
 
+/// The remesher's word on poor faces, also on those that were laid over them.
+std::vector<BadFace> bad_faces(const Remeshed& remeshed, const LaidOut& laid_out) {
+  std::vector<BadFace> all = remeshed.bad;
+  const std::size_t first = remeshed.complex.n_faces();
+  for (const BadFace& bad : remeshed.bad)
+    for (std::size_t i = 0; i < laid_out.beneath.size(); ++i)
+      if (laid_out.beneath[i] == bad.face) all.push_back({FaceId(first + i), bad.q, bad.cause});
+  return all;
+}
+
 /// Everything that can be said against the result, and the figures that go with it.
-void judge(const Outcome& outcome, const Remeshed& remeshed, SetTranslation& translated, const MergeOptions& options,
-           Report& report) {
+void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation& translated,
+           const MergeOptions& options, Report& report) {
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] {
-                         quality = quality_of(outcome, remeshed.bad, options.min_quality);
+                         quality = quality_of(outcome, bad, options.min_quality);
                          fidelity = fidelity_of(outcome, options.tolerance);
                        });
   append(report.broken_promises, std::move(result.broken));
@@ -59,9 +69,9 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   Report& report = merged.report;
   Graft& graft = merged.graft;
   report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
-  const bool two_layers = options.overlap == Overlap::kProject && !zone.remeshed.complex.layer.empty();
-  const Complex both = two_layers ? both_layers(zone.remeshed.complex, inputs, translated) : Complex{};
-  const Complex& final_complex = two_layers ? both : zone.remeshed.complex;
+  const bool all_layers = options.overlap == Overlap::kProject && !zone.remeshed.complex.layers.empty();
+  const LaidOut laid_out = all_layers ? with_layers(zone.remeshed.complex, inputs, translated) : LaidOut{};
+  const Complex& final_complex = all_layers ? laid_out.complex : zone.remeshed.complex;
 
   watch.start("stitch", 0.8);
   const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
@@ -73,14 +83,14 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
 
   watch.start("check", 0.9);
   Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
-                  graft,  merged.labels, dropped,  two_layers};
+                  graft,  merged.labels, dropped,  all_layers};
   outcome.fills = fills;
   summarise(outcome, report);
-  judge(outcome, zone.remeshed, translated, options, report);
+  judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
   Dropped overlaid = dropped;
-  add_losses(corefined, final_complex, two_layers, translated, graft, overlaid);
+  add_losses(corefined, final_complex, all_layers, translated, graft, overlaid);
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
-  if (!two_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
+  if (!all_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
   Ledger ledger = ledger_of(inputs, graft, overlaid);
   report.groups = std::move(ledger.groups);
   append(report.broken_promises, std::move(ledger.broken));

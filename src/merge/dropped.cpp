@@ -93,7 +93,7 @@ void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, cons
   std::erase_if(complex.fixed_edges, [&](const Edge& edge) { return is_bare(bare, edge); });
   keep(complex.face, marked), keep(complex.parent, marked), keep(complex.component, marked);
   keep(complex.face_groups, marked), keep(complex.face_attributes, marked), keep(corefined.touched, marked);
-  if (!complex.layer.empty()) keep(complex.layer, marked);
+  if (!complex.layers.empty()) keep(complex.layers, marked);
   if (!corefined.kept.empty()) keep(corefined.kept, marked);
   corefined.junction_edges.clear(), corefined.junction_points.clear(), corefined.met.clear();
   find_shared(corefined);

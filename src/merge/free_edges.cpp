@@ -18,7 +18,7 @@ std::vector<EdgeUse> free_edges(const Complex& complex, std::span<const std::uin
   std::vector<EdgeUse> found;
   const std::vector<EdgeUse> uses = edge_uses(complex, wanted);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    // Two layers on the same nodes end together.
+    // Layers on the same nodes end together.
     const auto on_the_same = [&](const EdgeUse& use) {
       return std::ranges::is_permutation(complex.face[use.face.value], complex.face[edge[0].face.value]);
     };

@@ -101,10 +101,10 @@ Junction junction_of(const Complex& complex) {
     JunctionEdge e{{edge[0].low, edge[0].high}, {}};
     bool alike = true, overlaid = false;
     for (const EdgeUse& use : edge) {
-      const auto of = complex.components_of(use.face);
-      e.components.push_back(of[0]);
-      if (of[1] != of[0]) e.components.push_back(of[1]), overlaid = true;
-      alike = alike && of == complex.components_of(edge[0].face);
+      const std::vector<std::uint32_t> of = complex.components_of(use.face);
+      e.components.insert(e.components.end(), of.begin(), of.end());
+      overlaid = overlaid || of.size() > 1;
+      alike = alike && complex.are_of_the_same(use.face, edge[0].face);
     }
     if (alike) return;
     e.kind = overlaid                          ? JunctionEdge::kOverlap

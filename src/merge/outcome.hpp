@@ -26,7 +26,7 @@ struct Outcome {
   const Graft& graft;
   const Labels& labels;
   const Dropped& dropped;
-  bool two_layers = false;  // of faces on the same nodes, where inputs lie on each other
+  bool all_layers = false;  // of faces stay, on the same nodes, where inputs lie on each other
   bool fills = false;       // new faces are in some of the groups of their parents, not in all
 
   [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }

@@ -2,31 +2,39 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
 
-Complex both_layers(const Complex& complex, Inputs inputs, SetTranslation& translated) {
-  Complex both = complex;
+LaidOut with_layers(const Complex& complex, Inputs inputs, SetTranslation& translated) {
+  LaidOut out{complex, {}};
+  Complex& all = out.complex;
   for (std::size_t k = 0; k < complex.n_faces(); ++k) {
-    const Complex::Layer layer = complex.layer_of(FaceId(k));
-    if (!layer.parent.valid()) continue;
-    both.face_groups[k] = translated.of(complex.parent[k]);
-    const FaceId f = both.add_face(complex.face[k], both, FaceId(k));
-    both.parent[f.value] = layer.parent;
-    both.component[f.value] = layer.component;
-    both.face_groups[f.value] = translated.of(layer.parent);
-    both.face_attributes[f.value] = layer.attributes;
-    both.layer[f.value] = {complex.parent[k], complex.component[k], both.face_groups[k], complex.face_attributes[k]};
-    const Triangle beneath = inputs[layer.parent.input]->corners(layer.parent.element);
-    if (dot(area_vector(both.corners(f)), area_vector(beneath)) < 0)
-      std::swap(both.face[f.value][1], both.face[f.value][2]);
+    if (complex.layers_of(FaceId(k)).empty()) continue;
+    all.face_groups[k] = translated.of(complex.parent[k]);
+    const Complex::Layer lowest{complex.component[k], complex.parent[k], all.face_groups[k],
+                                complex.face_attributes[k]};
+    for (const Complex::Layer& layer : complex.layers_of(FaceId(k))) {
+      const FaceId f = all.add_face(complex.face[k], complex, FaceId(k));
+      out.beneath.emplace_back(k);
+      all.parent[f.value] = layer.parent;
+      all.component[f.value] = layer.component;
+      all.face_groups[f.value] = translated.of(layer.parent);
+      all.face_attributes[f.value] = layer.attributes;
+      Complex::Layers& others = all.layers[f.value];
+      *std::ranges::find(others, layer) = lowest;
+      std::ranges::sort(others);
+      const Triangle beneath = inputs[layer.parent.input]->corners(layer.parent.element);
+      if (dot(area_vector(all.corners(f)), area_vector(beneath)) < 0)
+        std::swap(all.face[f.value][1], all.face[f.value][2]);
+    }
   }
-  return both;
+  return out;
 }
 
-void add_losses(const Corefined& corefined, const Complex& final_complex, bool two_layers, SetTranslation& translated,
+void add_losses(const Corefined& corefined, const Complex& final_complex, bool all_layers, SetTranslation& translated,
                 Graft& graft, Dropped& dropped) {
   const auto lose = [&](GroupSetId groups, double area) {
     dropped.area.resize(graft.groups.size()), dropped.touched.resize(graft.groups.size());
@@ -35,12 +43,14 @@ void add_losses(const Corefined& corefined, const Complex& final_complex, bool t
   };
   for (const Corefined::Covered& covered : corefined.covered)
     if (!covered.has_heir) lose(translated.of(covered.face), covered.area);
-  if (two_layers) return;
+  if (all_layers) return;
   for (std::size_t f = 0; f < final_complex.n_faces(); ++f) {
-    const Complex::Layer layer = final_complex.layer_of(FaceId(f));
-    if (!layer.parent.valid()) continue;
-    const GroupSetId own = translated.of(final_complex.parent[f]), other = translated.of(layer.parent);
-    lose(graft.group_sets.intersect(own, other), area(final_complex.corners(FaceId(f))));
+    GroupSetId so_far = translated.of(final_complex.parent[f]);
+    for (const Complex::Layer& layer : final_complex.layers_of(FaceId(f))) {
+      const GroupSetId other = translated.of(layer.parent);
+      lose(graft.group_sets.intersect(so_far, other), area(final_complex.corners(FaceId(f))));
+      so_far = translated.unite(so_far, other);
+    }
   }
 }
 
@@ -67,11 +77,13 @@ std::vector<Warning> attribute_warnings(Inputs inputs, const Complex& final_comp
   const auto of = [&](ElementRef e) -> const ElementAttributes& { return inputs[e.input]->attributes_of(e.element); };
   std::map<std::array<std::int64_t, 4>, std::uint64_t> differ;  // physical and material of both: faces
   for (std::size_t f = 0; f < final_complex.n_faces(); ++f) {
-    const Complex::Layer layer = final_complex.layer_of(FaceId(f));
-    if (!layer.parent.valid()) continue;
-    const ElementAttributes &a = of(final_complex.parent[f]), &b = of(layer.parent);
-    if (a.physical != b.physical || a.material != b.material)
-      ++differ[{a.physical, a.material, b.physical, b.material}];
+    std::set<std::array<std::int64_t, 4>> of_face;
+    for (const Complex::Layer& layer : final_complex.layers_of(FaceId(f))) {
+      const ElementAttributes &a = of(final_complex.parent[f]), &b = of(layer.parent);
+      if (a.physical != b.physical || a.material != b.material)
+        of_face.insert({a.physical, a.material, b.physical, b.material});
+    }
+    for (const auto& ids : of_face) ++differ[ids];
   }
   std::vector<Warning> warnings;
   for (const auto& [ids, n] : differ)
@@ -79,7 +91,7 @@ std::vector<Warning> attribute_warnings(Inputs inputs, const Complex& final_comp
                         std::to_string(n) + " fused faces have physical property " + std::to_string(ids[0]) +
                             " and material " + std::to_string(ids[1]) + "; the faces that lay on them had " +
                             std::to_string(ids[2]) + " and " + std::to_string(ids[3]) +
-                            "; they are in the groups of both, so that the common area can be given its thickness",
+                            "; they are in the groups of all, so that the common area can be given its thickness",
                         {}});
   return warnings;
 }

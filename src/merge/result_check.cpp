@@ -74,9 +74,9 @@ class ResultCheck {
     return met;
   }
 
-  /// One of the layers lies on the other, as was asked for: on the same nodes, of two inputs.
-  bool are_two_layers(FaceId f, FaceId g) const {
-    return outcome_.two_layers && complex_.component[f.value] != complex_.component[g.value] &&
+  /// One of the layers lies on the other, as was asked for: on the same nodes, of two components.
+  bool are_layers(FaceId f, FaceId g) const {
+    return outcome_.all_layers && complex_.component[f.value] != complex_.component[g.value] &&
            std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
   }
 
@@ -89,7 +89,7 @@ class ResultCheck {
     for (const auto& pair : pairs)
       if (std::ranges::binary_search(excused, parents_of(complex_, pair)))
         met.push_back(pair);
-      else if (!are_two_layers(pair[0], pair[1]))
+      else if (!are_layers(pair[0], pair[1]))
         findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",
                      outcome_.parent_place(pair[0]));
     warn("input-intersects", met, " intersect in the input, and still do");
@@ -123,7 +123,7 @@ class ResultCheck {
     std::vector<std::array<FaceId, 2>> left;
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
-      if (keys[k - 1].first != keys[k].first || are_two_layers(a, b)) continue;
+      if (keys[k - 1].first != keys[k].first || are_layers(a, b)) continue;
       if (outcome_.is_changed(a) || outcome_.is_changed(b))
         findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
                      outcome_.parent_place(b));
@@ -161,9 +161,10 @@ class ResultCheck {
       if (replaces && dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
         turned.add(outcome_.text(f) + " is turned against " + text_of(outcome_.inputs, parent) + ", which it replaces",
                    outcome_.parent_place(f));
-      const ElementRef beneath = complex_.layer_of(f).parent;
       GroupSetId wanted = translated_.of(parent);
-      if (beneath.valid() && !outcome_.two_layers) wanted = translated_.unite(wanted, translated_.of(beneath));
+      if (!outcome_.all_layers)
+        for (const Complex::Layer& layer : complex_.layers_of(f))
+          wanted = translated_.unite(wanted, translated_.of(layer.parent));
       const GroupSetId has = complex_.face_groups[k];
       if (outcome_.fills ? translated_.unite(wanted, has) != wanted : has != wanted)
         groups.add(

@@ -167,7 +167,7 @@ class Stitcher {
         kept_.push_back(final_.parent[f]);
       else
         fresh.emplace_back(final_.parent[f], f);
-      if (kept && final_.layer_of(FaceId(f)).parent.valid()) join_groups(f);
+      if (kept && !final_.layers_of(FaceId(f)).empty()) join_groups(f);
       out_.changed[f] = !kept || is_moved_face(f) ? 1 : 0;
     }
     for (std::uint32_t k = 0; k < final_.lines.size(); ++k)
@@ -184,7 +184,7 @@ class Stitcher {
     }
   }
 
-  /// A kept face that stands for another one too is in the groups of that as well.
+  /// A kept face that stands for others too is in their groups as well.
   void join_groups(std::size_t f) {
     const ElementRef parent = final_.parent[f];
     if (faces_of_inputs_.empty())

@@ -152,9 +152,10 @@ class Writer {
 
   /// On the components of a face.
   GroupSetId common_groups(std::span<const VertexId> vertices, FaceId f) {
-    const GroupSetId own = common_groups(vertices, complex_.component[f.value]);
-    const Complex::Layer layer = complex_.layer_of(f);
-    return layer.parent.valid() ? groups_.unite(own, common_groups(vertices, layer.component)) : own;
+    GroupSetId all = common_groups(vertices, complex_.component[f.value]);
+    for (const Complex::Layer& layer : complex_.layers_of(f))
+      all = groups_.unite(all, common_groups(vertices, layer.component));
+    return all;
   }
 
   GroupSetId common_groups(std::span<const VertexId> vertices, std::uint32_t component) {

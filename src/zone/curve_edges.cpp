@@ -10,8 +10,9 @@
 namespace meshgraft {
 namespace {
 
-/// What two faces of one sheet have in common: component, attributes, groups; the same of the layer.
-using FaceKey = std::tuple<std::uint32_t, AttributesId, GroupSetId, std::uint32_t, AttributesId, GroupSetId>;
+/// What two faces of one sheet have in common: component, attributes, groups; the same of each layer.
+using LayerKey = std::tuple<std::uint32_t, AttributesId, GroupSetId>;
+using FaceKey = std::pair<LayerKey, std::vector<LayerKey>>;
 
 /// What an edge bounds and carries.
 struct Kind {
@@ -74,13 +75,10 @@ class Classifier {
 
  private:
   [[nodiscard]] FaceKey face_key(FaceId f) const {
-    const Complex::Layer layer = complex_.layer_of(f);
-    return {complex_.component[f.value],
-            complex_.face_attributes[f.value],
-            complex_.face_groups[f.value],
-            layer.component,
-            layer.attributes,
-            layer.groups};
+    FaceKey key{{complex_.component[f.value], complex_.face_attributes[f.value], complex_.face_groups[f.value]}, {}};
+    for (const Complex::Layer& layer : complex_.layers_of(f))
+      key.second.emplace_back(layer.component, layer.attributes, layer.groups);
+    return key;
   }
 
   const Complex& complex_;

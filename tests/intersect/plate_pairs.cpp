@@ -72,10 +72,15 @@ std::vector<Model> models(const PlatePair& p) {
 
 double tolerance(const PlatePair& pair) { return 0.01 * std::min(1.0, pair.size); }
 
+std::array<double, 2> depths(const PlatePair& pair, Vec3 p) {
+  const Vec3 flat = tilted(p, -pair.tilt);
+  return {depth(base_quad(), flat), depth(plate_quad(pair), flat)};
+}
+
 double layered_area(const Complex& complex) {
   double sum = 0;
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (complex.layer_of(FaceId(f)).parent.valid()) sum += area(complex.corners(FaceId(f)));
+    if (!complex.layers_of(FaceId(f)).empty()) sum += area(complex.corners(FaceId(f)));
   return sum;
 }
 
@@ -121,10 +126,9 @@ std::vector<std::string> faults(const PlatePair& pair, const std::vector<Model>&
       if (sets.contains(after.face_groups[f], GroupId(100 * k))) of_group[k] += own;
     if (dot(area_vector(t), area_vector(models[after.parent[f].input].corners(after.parent[f].element))) <= 0)
       fault("face ", f, " is turned over");
-    const Vec3 centre = tilted(centroid(t), -pair.tilt);
-    const bool is_layered = after.layer_of(FaceId(f)).parent.valid();
+    const bool is_layered = !after.layers_of(FaceId(f)).empty();
     if (is_layered) layered += own;
-    const double inside_base = depth(base_quad(), centre), inside_plate = depth(plate_quad(pair), centre);
+    const auto [inside_base, inside_plate] = depths(pair, centroid(t));
     if (is_layered && std::min(inside_base, inside_plate) < -snapped) fault("face ", f, " stands for both in vain");
     if (!is_layered && std::min(inside_base, inside_plate) > snapped) fault("face ", f, " stands for one of two");
     for (std::size_t k = 0; k < 3; ++k) {
@@ -157,8 +161,7 @@ std::vector<std::string> faults_of_kept_base(const PlatePair& pair, const std::v
     const Triangle t = after.corners(FaceId(f));
     const std::uint32_t own = after.component[f];
     areas[own] += area(t);
-    const Vec3 centre = tilted(centroid(t), -pair.tilt);
-    if (own == 1 && std::min(depth(base_quad(), centre), depth(plate_quad(pair), centre)) > snapped)
+    if (own == 1 && std::ranges::min(depths(pair, centroid(t))) > snapped)
       fault("face ", f, " of the plate is left on the base");
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = std::minmax(after.face[f][k], after.face[f][(k + 1) % 3]);
@@ -168,8 +171,8 @@ std::vector<std::string> faults_of_kept_base(const PlatePair& pair, const std::v
       if (own == 0 && node.valid() && node.input == 0 && after.position[v.value] != models[0].position[node.node.value])
         fault("a node of the base moved");
       if (own == 1 || (node.valid() && node.input == 0)) continue;
-      const Vec3 at = tilted(after.position[v.value], -pair.tilt);
-      if (std::abs(depth(base_quad(), at)) > snapped || std::abs(depth(plate_quad(pair), at)) > snapped)
+      const Vec3 at = after.position[v.value];
+      if (std::ranges::any_of(depths(pair, at), [&](double depth) { return std::abs(depth) > snapped; }))
         fault("the base is cut at (", at.x, ", ", at.y, ")");
     }
   }

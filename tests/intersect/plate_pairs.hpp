@@ -1,6 +1,7 @@
 // Two plates that lie on each other, and what must be true of them after they became one.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct PlatePair {
 
 /// What may be snapped: the tolerance of 1 % of the smaller edge length.
 [[nodiscard]] double tolerance(const PlatePair& pair);
+
+/// How far a point is inside the base and inside the plate, seen along their normal; negative outside.
+[[nodiscard]] std::array<double, 2> depths(const PlatePair& pair, Vec3 p);
 
 /// Area that base and plate have in common.
 [[nodiscard]] double common_area(const PlatePair& pair);

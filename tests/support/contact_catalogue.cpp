@@ -114,6 +114,55 @@ void add_three(std::vector<Merge>& all) {
   all.push_back(standing);
 }
 
+Merge with(Merge scene, std::string name, Model part) {
+  scene.name = std::move(name);
+  scene.parts.push_back(std::move(part));
+  return scene;
+}
+
+/// Three and more meshes over one place.
+void add_stacks(std::vector<Merge>& all) {
+  const auto second = [](double height) {
+    return staggered_plate({0.79, 0.43, height}, {0.6, 0, 0}, {0, 0.92, 0}, 0.09, "SECOND", kIrregular);
+  };
+  const auto inner = [](double height) {
+    return staggered_plate({0.81, 0.7, height}, {0.43, 0, 0}, {0, 0.34, 0}, 0.07, "INNER", kIrregular);
+  };
+  const Merge one = contact("", wall(), doubler());
+  all.push_back(with(one, "two_doublers_on_one_place", second(0)));
+  all.push_back(with(one, "doubler_on_doubler", inner(0)));
+  all.push_back(with(with(one, "", second(0)), "three_doublers_on_one_place", inner(0)));
+  all.push_back(
+      with(contact("", wall(), staggered_plate({1.37, 0.27, 0}, {1.3, 0, 0}, {0, 1.1, 0}, kSize, "STRAKE", kIrregular)),
+           "three_in_partial_overlap",
+           staggered_plate({1.53, 0.83, 0}, {1.5, 0, 0}, {0, 0.93, 0}, 0.09, "THIRD", kIrregular)));
+  all.push_back(with(contact("", ribbed_wall(-1), doubler(0.09, 0, 17)), "doublers_over_and_under_t_line", second(0)));
+  all.back().min_q = 0.44;  // their borders cross at 17 degrees, near a corner
+  all.push_back(with(contact("", ribbed_wall(-1), doubler(0.09, 0.02), 0.88, 0.03),
+                     "doublers_apart_over_and_under_t_line", second(-0.02)));
+  // Through one line, through one point: two of them lie on each other.
+  const auto standing = [](Vec3 from, Vec3 along, const char* group) {
+    return staggered_plate(from, along, {0, 0, 0.4}, 0.09, group, kIrregular);
+  };
+  all.push_back(
+      with(one, "doubler_and_web_through_a_line",
+           moved(staggered_plate({0.3, 0.87, -0.3}, {1.4, 0, 0}, {0, 0, 0.6}, 0.09, "WEB", kIrregular), [](Vec3 p) {
+             return p + Vec3{0, 0.4 * p.z, 0};
+           })));
+  all.push_back(with(with(one, "", standing({0.3, 0.87, 0}, {1.4, 0, 0}, "ALONG")), "doubler_and_webs_through_a_point",
+                     standing({1.02, 0.3, 0}, {0, 1.2, 0}, "ACROSS")));
+  // The far corner stands off by nearly the tolerance.
+  all.push_back(with(contact("", wall(),
+                             moved(doubler(),
+                                   [](Vec3 p) {
+                                     return p + Vec3{0, 0, 0.046 * (p.x - 0.63)};
+                                   }),
+                             0.88, 0.04),
+                     "leaning_doublers", moved(second(0), [](Vec3 p) {
+                       return p + Vec3{0, 0, -0.04 * (p.y - 0.43)};
+                     })));
+}
+
 }  // namespace
 
 std::vector<Merge> contact_catalogue() {
@@ -123,6 +172,7 @@ std::vector<Merge> contact_catalogue() {
   add_profiles(all);
   add_curved(all);
   add_three(all);
+  add_stacks(all);
   return all;
 }
 

@@ -1,0 +1,65 @@
+// Laws of three and four meshes that lie on each other, over random plates and those that were once wrong.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "checks.hpp"
+#include "plate_stacks.hpp"
+
+namespace meshgraft {
+namespace {
+
+using checks::PlatePair;
+
+double number(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1000) / 1000.0; }
+
+/// Two or three plates on the base, over its middle or its border, of any edge length; some share its lattice.
+std::vector<PlatePair> any_stack() {
+  const bool aligned = *rc::gen::arbitrary<bool>();
+  PlatePair frame;
+  frame.base_jitter = aligned ? 0 : *rc::gen::element(0.0, 0.3);
+  frame.noise = *rc::gen::element(0.0, 0.0, 1e-15, 1e-13, 1e-9, 1e-6, 1e-5);
+  frame.tilt = *rc::gen::element(0.0, 1.0) * number(0, 1.5);
+  frame.staggered = *rc::gen::arbitrary<bool>();
+  std::vector<PlatePair> stack(static_cast<std::size_t>(*rc::gen::inRange(2, 4)), frame);
+  for (PlatePair& p : stack) {
+    p.x = number(0, 3.5), p.y = number(0, 3.5), p.turn = number(0, std::numbers::pi);
+    p.length = number(1.5, 4), p.width = number(1.5, 4);
+    p.size = *rc::gen::element(1.0, 1.0, 0.43, 0.8, 1.7);
+    p.jitter = aligned ? 0 : *rc::gen::element(0.0, 0.3);
+    if (!aligned) continue;
+    p.size = *rc::gen::element(1.0, 1.0, 0.5);
+    p.turn = *rc::gen::element(0.0, 0.5, 1.0, 2.0) * std::numbers::pi / 2;
+    p.x = std::round(p.x / p.size) * p.size, p.y = std::round(p.y / p.size) * p.size;
+    p.length = std::round(p.length), p.width = std::round(p.width);
+  }
+  return stack;
+}
+
+std::vector<std::string> faults(const std::vector<PlatePair>& stack) {
+  const std::vector<Model> models = checks::models(stack);
+  GroupSets sets;
+  const auto after = corefine(checks::complex_of(models, sets), sets, {});
+  if (!after) return {after.error().what};
+  return checks::faults(stack, models, *after, sets);
+}
+
+RC_GTEST_PROP(StackLaws, NoLayerIsLostOrCountedTwice, ()) {
+  const std::vector<PlatePair> stack = any_stack();
+  for (const PlatePair& pair : stack) RC_LOG() << checks::to_string(pair) << ",\n";
+  const auto found = faults(stack);
+  for (const std::string& fault : found) RC_LOG() << fault << '\n';
+  RC_ASSERT(found.empty());
+}
+
+TEST(Stack, ThreePlatesOverOnePlaceAreOneLayer) {
+  const std::vector<PlatePair> stack{{.x = 1.1, .y = 1.2, .length = 3, .width = 2, .turn = 0.3},
+                                     {.x = 1.7, .y = 0.9, .length = 2.5, .width = 3, .turn = 0.1, .size = 0.43},
+                                     {.x = 2, .y = 1, .length = 3, .width = 3, .size = 0.8}};
+  for (const std::string& fault : faults(stack)) ADD_FAILURE() << fault;
+}
+
+}  // namespace
+}  // namespace meshgraft
