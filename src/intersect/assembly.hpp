@@ -57,6 +57,7 @@ class Assembly {
     std::uint8_t touched = 0, kept = 0;
     GroupSetId groups;
     Complex::Layers layers;
+    Reach reach;
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   static constexpr std::uint32_t kWhole = 0xFFFFFFFF;

@@ -45,10 +45,10 @@ std::vector<Vec3> part_over(const Triangle& u, const Triangle& t, double beside 
   return polygon;
 }
 
-std::vector<Vec3> within(std::vector<Vec3> polygon, const Triangle& t, double gap) {
+std::vector<Vec3> within(std::vector<Vec3> polygon, const Triangle& t, const Reach& heights) {
   const Vec3 n = unit_normal(t);
-  polygon = clipped(polygon, [&](Vec3 p) { return gap - dot(n, p - t[0]); });
-  return clipped(polygon, [&](Vec3 p) { return gap + dot(n, p - t[0]); });
+  polygon = clipped(polygon, [&](Vec3 p) { return heights.high - dot(n, p - t[0]); });
+  return clipped(polygon, [&](Vec3 p) { return dot(n, p - t[0]) - heights.low; });
 }
 
 /// Area that two faces share, and the part of it within the gap.
@@ -59,11 +59,11 @@ struct CommonArea {
   [[nodiscard]] bool stands_off() const { return whole > 0 && !lies_on(); }
 };
 
-CommonArea common_area(const Triangle& t, const Triangle& u, double gap) {
+CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights) {
   const std::vector<Vec3> shared = part_over(u, t);
   const double whole = area_of(shared);
   if (whole <= kNoArea * std::min(area(t), area(u))) return {};
-  return {whole, area_of(within(shared, t, gap))};
+  return {whole, area_of(within(shared, t, heights))};
 }
 
 struct Boxed {
@@ -73,16 +73,24 @@ struct Boxed {
 };
 
 Boxed boxed(const Complex& complex, std::span<const FaceId> faces, const Box* in, std::span<const double> size,
-            const ContactRule& rule) {
+            const ContactRule& rule, std::span<const Reach> reach) {
   Boxed found;
   for (const FaceId f : faces) {
     Box box;
     for (const Vec3 p : complex.corners(f)) box.add(p);
-    box = box.grown(rule.gap(size[f.value]));
+    const Reach own = reach.empty() ? Reach{} : reach[f.value];
+    box = box.grown(rule.gap(size[f.value]) + std::max(-own.low, own.high));
     if (in != nullptr && !in->overlaps(box)) continue;
     found.faces.push_back(f), found.boxes.push_back(box), found.all.add(box);
   }
   return found;
+}
+
+/// Heights above a face, along its normal, at which the other lies on it.
+Reach heights_on(FaceId f, FaceId g, bool same_way, double gap, std::span<const Reach> reach) {
+  if (reach.empty()) return {-gap, gap};
+  const Reach own = reach[f.value], other = same_way ? reach[g.value].turned() : reach[g.value];
+  return {own.low + other.low - gap, own.high + other.high + gap};
 }
 
 }  // namespace
@@ -98,9 +106,9 @@ bool ContactRule::is_flat(Vec3 unit_normal, Vec3 other) const {
 }
 
 Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, std::span<const FaceId> second,
-                       std::span<const double> size, const ContactRule& rule) {
-  const Boxed b = boxed(complex, second, nullptr, size, rule);
-  const Boxed a = boxed(complex, first, &b.all, size, rule);
+                       std::span<const double> size, const ContactRule& rule, std::span<const Reach> reach) {
+  const Boxed b = boxed(complex, second, nullptr, size, rule, reach);
+  const Boxed a = boxed(complex, first, &b.all, size, rule, reach);
   const BoxTree tree(b.boxes);
   struct Found {
     std::array<FaceId, 2> pair;
@@ -115,11 +123,13 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
     tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
       const FaceId f = a.faces[i], g = b.faces[j];
       const Triangle u = complex.corners(g);
-      if (!rule.is_flat(n, unit_normal(u))) return;
-      const double smaller = std::min(size[f.value], size[g.value]), gap = rule.gap(smaller);
-      if (within({u.begin(), u.end()}, t, gap).empty()) return;
-      const CommonArea area = common_area(t, u, gap);
-      const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, gap).empty();
+      const Vec3 m = unit_normal(u);
+      if (!rule.is_flat(n, m)) return;
+      const double smaller = std::min(size[f.value], size[g.value]);
+      const Reach heights = heights_on(f, g, dot(n, m) > 0, rule.gap(smaller), reach);
+      if (within({u.begin(), u.end()}, t, heights).empty()) return;
+      const CommonArea area = common_area(t, u, heights);
+      const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, heights).empty();
       found.push_back({{f, g}, area, is_beside});
     });
   }
@@ -141,6 +151,8 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   }
   return contacts;
 }
+
+bool have_common_area(const Triangle& t, const Triangle& u) { return common_area(t, u, {}).whole > 0; }
 
 Cover::Cover(std::vector<Triangle> faces, std::vector<double> size, std::span<const std::array<VertexId, 3>> corners)
     : faces_(std::move(faces)), size_(std::move(size)), border_edge_(faces_.size()), border_corner_(faces_.size()) {

@@ -33,9 +33,13 @@ struct Contacts {
   /// common; or without common area and so near that snapping may give them some. None if there is no area.
   std::vector<std::uint8_t> on_each_other;
 };
+/// `reach`: by face, see FaceMarks; may be empty.
 [[nodiscard]] Contacts find_contacts(const Complex& complex, std::span<const FaceId> first,
                                      std::span<const FaceId> second, std::span<const double> size,
-                                     const ContactRule& rule);
+                                     const ContactRule& rule, std::span<const Reach> reach = {});
+
+/// Whether one of two faces lies over part of the other, seen along the normal of the first, at any height.
+[[nodiscard]] bool have_common_area(const Triangle& t, const Triangle& u);
 
 /// Faces of one side as a surface to ask.
 class Cover {

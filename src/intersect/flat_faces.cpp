@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "geometry/quality.hpp"
 
@@ -36,6 +37,10 @@ class FlatFaces {
       const Base base = base_of(pieces_[i].corners);
       if (base.height > pieces_[i].height) continue;
       const std::vector<std::uint32_t> beside = others_at(base, i);
+      if (const auto longer = longer_line(base, beside)) {
+        open_.insert(open_.end(), {i, *longer});
+        continue;
+      }
       if (base.height > none_ && !is_better_without(i, beside, base)) continue;
       any = true;
       split_lines(base);
@@ -89,6 +94,19 @@ class FlatFaces {
       if (other != i && std::ranges::find(pieces_[other].corners, base.top) == pieces_[other].corners.end())
         others.push_back(other);
     return others;
+  }
+
+  /// Of faces that are lines the longest goes first: to split one at a corner of a shorter one leaves two lines
+  /// again, and so on without end.
+  [[nodiscard]] std::optional<std::uint32_t> longer_line(const Base& base,
+                                                         std::span<const std::uint32_t> beside) const {
+    const auto length = [&](const Base& b) { return distance(at(b.ends[0]), at(b.ends[1])); };
+    for (const std::uint32_t other : beside) {
+      if (pieces_[other].height < 0) continue;
+      const Base of_other = base_of(pieces_[other].corners);
+      if (of_other.height <= none_ && length(of_other) > length(base)) return other;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] static std::array<Corners, 2> parts_of(const Corners& face, const Base& base) {

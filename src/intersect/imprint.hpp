@@ -15,12 +15,14 @@ struct FaceMarks {
   std::vector<std::uint8_t> active;   // near the other side in the last meeting, or cut out of such a face
   std::vector<FaceId> from;           // the face that it was, or was part of, before its component was joined
   std::vector<std::uint8_t> kept;     // lies in an area of contact that stays as it is; empty: there is none
+  std::vector<Reach> reach;           // of what lay on it; empty: nothing lay off any face
 
   /// One more face, like face f of `other`.
   void add(const FaceMarks& other, std::size_t f) {
     size.push_back(other.size[f]), touched.push_back(other.touched[f]), active.push_back(other.active[f]);
     from.push_back(other.from[f]);
     if (!other.kept.empty()) kept.push_back(other.kept[f]);
+    if (!other.reach.empty()) reach.push_back(other.reach[f]);
   }
 };
 

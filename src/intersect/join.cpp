@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/distinct.hpp"
 #include "geometry/quality.hpp"
@@ -64,10 +65,55 @@ class Joiner {
 
   /// Where the sides lie on each other, one layer is taken out. `exact` follows the faces.
   std::optional<ImprintFault> lay_over(std::vector<std::uint8_t>& exact) {
-    const Sides sides{active_faces(), owners()};
+    std::vector<std::uint32_t> behind;
+    if (auto fault = lay_over({active_faces(), owners(component_)}, exact, behind)) return fault;
+    // The component lay between others: those go where it went.
+    while (!behind.empty()) {
+      const std::uint32_t next = behind.front();
+      behind.erase(behind.begin());
+      for (const std::uint32_t on : bearers())
+        if (auto fault = lay_on(on, next, exact, behind)) return fault;
+    }
+    return std::nullopt;
+  }
+
+  /// The own components of the faces that stand for the component.
+  [[nodiscard]] std::vector<std::uint32_t> bearers() const {
+    std::vector<std::uint32_t> all{component_};
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      for (const Complex::Layer& layer : complex_.layers_of(FaceId(f)))
+        if (layer.component == component_) all.push_back(complex_.component[f]);
+    make_distinct(all);
+    return all;
+  }
+
+  std::optional<ImprintFault> lay_on(std::uint32_t a, std::uint32_t b, std::vector<std::uint8_t>& exact,
+                                     std::vector<std::uint32_t>& behind) {
+    const auto [low, high] = std::minmax(a, b);
+    if (low == high || !complex_.joins.are_joined(low, high)) return std::nullopt;
+    Sides sides{{}, owners(high)};
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (const std::uint32_t c = complex_.component[f]; c == low || c == high)
+        sides.faces[c == high].push_back(FaceId(f));
+    const std::vector<FaceId> before = std::exchange(marks_.from, identity(complex_.n_faces()));
+    auto fault = lay_over(sides, exact, behind);
+    for (FaceId& from : marks_.from) from = before[from.value];
+    if (fault && fault->face.valid()) fault->face = before[fault->face.value];
+    return fault;
+  }
+
+  static std::vector<FaceId> identity(std::size_t n) {
+    std::vector<FaceId> all;
+    for (std::size_t f = 0; f < n; ++f) all.emplace_back(f);
+    return all;
+  }
+
+  std::optional<ImprintFault> lay_over(const Sides& sides, std::vector<std::uint8_t>& exact,
+                                       std::vector<std::uint32_t>& behind) {
     auto overlaid = overlay(complex_, groups_, marks_, sides, SnapRule(largest_, options_, true), options_);
     if (!overlaid) return std::move(overlaid.error());
     if (!overlaid->any) return std::nullopt;
+    behind.insert(behind.end(), overlaid->behind.begin(), overlaid->behind.end());
     std::vector<std::uint8_t> now;
     for (const FaceId from : marks_.from) now.push_back(exact[from.value]);
     exact = std::move(now);
@@ -119,7 +165,7 @@ class Joiner {
     const auto pairs = near_pairs(complex_, faces[0], faces[1], marks_.size, rule);
     settled_ = pairs.empty();
     if (settled_) return std::nullopt;
-    const std::array<std::vector<std::uint8_t>, 2> own = owners();
+    const std::array<std::vector<std::uint8_t>, 2> own = owners(component_);
     Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
     declare_vertices(m);
     declare_edges(m);
@@ -173,20 +219,26 @@ class Joiner {
     std::array<std::vector<FaceId>, 2> faces;
     for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
       const std::uint32_t c = complex_.component[f];
-      if (marks_.active[f] && (c == component_ || (c < component_ && complex_.joins.are_joined(c, component_))))
+      if (marks_.active[f] && (c == component_ || (c < component_ && is_joined_with(FaceId(f)))))
         faces[c == component_].push_back(FaceId(f));
     }
     return faces;
   }
 
+  [[nodiscard]] bool is_joined_with(FaceId f) const {
+    const auto joined = [&](std::uint32_t c) { return complex_.joins.are_joined(c, component_); };
+    return joined(complex_.component[f.value]) ||
+           std::ranges::any_of(complex_.layers_of(f), joined, &Complex::Layer::component);
+  }
+
   /// The faces that count in telling features: what hangs together with a side and is not joined to it
   /// goes on beyond its own faces.
-  [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners() const {
+  [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners(std::uint32_t second) const {
     const Joins& joins = complex_.joins;
     std::array<std::vector<std::uint8_t>, 2> own;
     for (const std::uint32_t c : complex_.component) {
-      const bool one_mesh = joins.mesh_of(c) == joins.mesh_of(component_) && !joins.are_joined(c, component_);
-      own[0].push_back(c != component_), own[1].push_back(c == component_ || one_mesh);
+      const bool one_mesh = joins.mesh_of(c) == joins.mesh_of(second) && !joins.are_joined(c, second);
+      own[0].push_back(c != second), own[1].push_back(c == second || one_mesh);
     }
     return own;
   }

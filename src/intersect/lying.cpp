@@ -71,11 +71,21 @@ void mark_edges_that_go(LyingMeeting& l) {
   }
 }
 
+/// Where what lay off a face ends, a mesh that lies on that ends too.
+bool is_border_of_reach(const LyingMeeting& l, LocalEdge e) {
+  if (l.reach.empty()) return false;
+  const Side& side = l.meeting.side[l.stays];
+  const auto faces = side.faces_at_edge(e);
+  const auto reach = [&](LocalFace f) { return l.reach[side.face(f).value]; };
+  const auto differs = [&](LocalFace f) { return (reach(f) == Reach{}) != (reach(faces[0]) == Reach{}); };
+  return std::ranges::any_of(faces, differs);
+}
+
 void mark_edges_that_stay(LyingMeeting& l) {
   const Side& side = l.meeting.side[l.stays];
   for (LocalEdge e = 0; e < side.n_edges(); ++e)
     l.border_edge[l.stays][e] = l.imprinted_edge[l.stays][e] =
-        side.is_feature_edge(e) && n_in_contact(l, l.stays, e) == 1;
+        (side.is_feature_edge(e) || is_border_of_reach(l, e)) && n_in_contact(l, l.stays, e) == 1;
 }
 
 /// A place on the other side where a vertex may lie; the best is the least.

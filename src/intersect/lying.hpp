@@ -24,6 +24,8 @@ struct LyingMeeting {
   /// have to be imprinted too.
   bool takes_over = true;
 
+  std::span<const Reach> reach;  // by face of the complex; empty: there is none
+
   std::vector<FacePair> pairs;                                // that lie on each other, ascending
   std::array<std::vector<std::uint8_t>, 2> is_flat;           // by local face: flat to a face of the other side near it
   std::array<std::vector<std::uint8_t>, 2> in_contact;        // by local face

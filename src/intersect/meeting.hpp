@@ -1,6 +1,7 @@
 // Two sides that meet: which faces come near each other, and the symbols of where they do.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -55,6 +56,15 @@ class SnapRule {
   CorefineOptions options_;
   bool features_;
   double rounding_, noise_;
+};
+
+/// How far below and above a face, along its normal, the faces lay that it stands for: a mesh on one of them lies
+/// on the face too, although it is farther from it than the gap.
+struct Reach {
+  double low = 0, high = 0;
+  [[nodiscard]] Reach turned() const { return {-high, -low}; }
+  void add(const Reach& other) { low = std::min(low, other.low), high = std::max(high, other.high); }
+  friend bool operator==(const Reach&, const Reach&) = default;
 };
 
 /// Features that end on the other side or run along it: corners, and edges with both ends near it, with these. A

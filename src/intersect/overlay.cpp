@@ -1,6 +1,7 @@
 #include "intersect/overlay.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "core/distinct.hpp"
@@ -9,6 +10,7 @@
 #include "intersect/flat_faces.hpp"
 #include "intersect/links.hpp"
 #include "intersect/lying.hpp"
+#include "intersect/stacks.hpp"
 #include "intersect/whole_edges.hpp"
 
 namespace meshgraft {
@@ -39,15 +41,18 @@ class Overlayer {
       : complex_(complex), groups_(groups), marks_(marks), sides_(sides), rule_{options, snap} {}
 
   tl::expected<Overlaid, ImprintFault> run() {
-    const Contacts contacts = find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_);
+    Contacts contacts = find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_, marks_.reach);
     if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
       return Overlaid{};
+    out_.behind = take_out_behind(complex_, contacts);
+    before_ = complex_.position;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
                                 sides_.own[1], rule_.options.sharp_angle, faces_beside(contacts)),
                    rule_,
                    rule_.options.overlap == Overlap::kKeepPart ? 1u : 0u,
                    takes_over(),
+                   marks_.reach,
                    {},
                    {},
                    {},
@@ -119,6 +124,7 @@ class Overlayer {
       l.pairs.push_back(l.meeting.pairs[i]);
       for (const std::size_t s : kSides) l.in_contact[s][l.meeting.pairs[i][s]] = 1;
     }
+    if (!marks_.reach.empty()) draw_together(l);
     for (const std::size_t s : kSides) build_cover(l, s);
   }
 
@@ -269,6 +275,7 @@ class Overlayer {
   /// A face that stays, and the one that lies on it and goes.
   void unite(const LyingMeeting& l, FaceId f, FaceId g) {
     marks_.touched[f.value] = takes_over() ? 1 : marks_.touched[f.value];
+    extend_reach(l, f, g);
     if (!takes_over()) {
       marks_.kept.resize(complex_.n_faces());
       marks_.kept[f.value] = 1;
@@ -277,18 +284,38 @@ class Overlayer {
     const std::uint32_t going = complex_.component[g.value];
     complex_.layers.resize(complex_.n_faces());
     Complex::Layers& layers = complex_.layers[f.value];
+    layers.insert(layers.end(), complex_.layers[g.value].begin(), complex_.layers[g.value].end());
     layers.push_back(
         {going, complex_.parent[g.value], complex_.face_groups[g.value], complex_.face_attributes[g.value]});
     std::ranges::sort(layers);
     complex_.face_groups[f.value] = groups_.unite(complex_.face_groups[f.value], complex_.face_groups[g.value]);
+    for (const std::uint32_t component : complex_.components_of(g)) join_node_groups(l, f, g, component);
+  }
+
+  /// The vertices of a face are in the groups that all corners of the one on it are in.
+  void join_node_groups(const LyingMeeting& l, FaceId f, FaceId g, std::uint32_t component) {
     const LocalFace from = l.meeting.side[l.goes()].find(marks_.from[g.value]);
     GroupSetId common;
     for (const VertexId v : l.meeting.side[l.goes()].corners(from)) {
-      const GroupSetId own = complex_.groups_on(going, v);
+      const GroupSetId own = complex_.groups_on(component, v);
       common = common.valid() ? groups_.intersect(common, own) : own;
     }
     for (const VertexId v : complex_.face[f.value])  // those with a symbol have got their groups with it
-      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v)) complex_.join_groups(v, going, common, groups_);
+      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v))
+        complex_.join_groups(v, component, common, groups_);
+  }
+
+  void extend_reach(const LyingMeeting& l, FaceId f, FaceId g) {
+    const Triangle on = chart_triangle(l, l.stays, f);
+    Triangle going;
+    const auto& corners = l.meeting.side[l.goes()].corners(l.meeting.side[l.goes()].find(marks_.from[g.value]));
+    for (std::size_t k = 0; k < 3; ++k) going[k] = before_[corners[k].value];
+    const double height = height_above(on, going);
+    Reach of_going = marks_.reach.empty() ? Reach{} : marks_.reach[g.value];
+    if (dot(area_vector(on), area_vector(going)) < 0) of_going = of_going.turned();
+    if (std::abs(height) <= rule_.weld(marks_.size[f.value]) && of_going == Reach{}) return;
+    marks_.reach.resize(complex_.n_faces());
+    marks_.reach[f.value].add({height + of_going.low, height + of_going.high});
   }
 
   void remove(std::vector<FaceId> gone) {
@@ -309,6 +336,7 @@ class Overlayer {
   FaceMarks& marks_;
   const Sides& sides_;
   ContactRule rule_;
+  std::vector<Vec3> before_;           // position by vertex, before anything is moved
   std::vector<std::uint8_t> on_both_;  // by vertex: it has a symbol
   Overlaid out_;
 };

@@ -77,10 +77,12 @@ class Measure {
   }
 
  private:
-  /// The tolerance over the edge length at the worst place.
+  /// The tolerance over the edge length at the worst place. Each of several layers may be that far from the next.
   double relative(const Tolerance& tolerance) const {
     const double length = worst_.valid() ? outcome_.input_edge_length(worst_) : 1;
-    return tolerance.at(length) / length;
+    std::size_t gaps = 1;
+    for (const Complex::Layers& layers : outcome_.final_complex.layers) gaps = std::max(gaps, layers.size());
+    return static_cast<double>(gaps) * tolerance.at(length) / length;
   }
 
   /// Each vertex once for each component it has new faces of.

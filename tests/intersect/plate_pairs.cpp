@@ -64,7 +64,7 @@ std::vector<Model> models(const PlatePair& p) {
   const Sides s = sides(p);
   const auto lean = [&](Vec3 q) {
     const double along = dot(q - s.origin, s.u) / squared_norm(s.u) + dot(q - s.origin, s.v) / squared_norm(s.v);
-    return frame({q.x, q.y, 0.5 * p.lean * along});
+    return frame({q.x, q.y, p.height + 0.5 * p.lean * along});
   };
   return {scenes::moved(plate({0, 0, 0}, {kBase, 0, 0}, {0, kBase, 0}, 1, "BASE", p.base_jitter), frame),
           scenes::moved(plate(s.origin, s.u, s.v, p.size, "PART", p.jitter), lean)};
@@ -186,7 +186,7 @@ std::string to_string(const PlatePair& p) {
   std::ostringstream text;
   text.precision(17);
   text << "{.x = " << p.x << ", .y = " << p.y << ", .length = " << p.length << ", .width = " << p.width
-       << ", .turn = " << p.turn << ", .size = " << p.size << ", .lean = " << p.lean
+       << ", .turn = " << p.turn << ", .size = " << p.size << ", .height = " << p.height << ", .lean = " << p.lean
        << ", .base_jitter = " << p.base_jitter << ", .jitter = " << p.jitter << ", .noise = " << p.noise
        << ", .tilt = " << p.tilt << ", .staggered = " << (p.staggered ? "true" : "false") << "}";
   return text.str();

@@ -17,7 +17,8 @@ struct PlatePair {
   double length = 3, width = 2;        // of the plate
   double turn = 0;                     // of the plate about the normal of the base. Radians
   double size = 1;                     // edge length of the plate
-  double lean = 0;                     // height of the far corner of the plate above the base
+  double height = 0;                   // of the plate above the base
+  double lean = 0;                     // height of the far corner of the plate above the near one
   double base_jitter = 0, jitter = 0;  // of inner nodes, share of the edge length
   double noise = 0;                    // by which all nodes are shaken, far below the tolerance
   double tilt = 0;                     // of both, about the x-axis. Radians

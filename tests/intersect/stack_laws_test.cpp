@@ -61,5 +61,17 @@ TEST(Stack, ThreePlatesOverOnePlaceAreOneLayer) {
   for (const std::string& fault : faults(stack)) ADD_FAILURE() << fault;
 }
 
+/// The upper plate is not within the tolerance of the base, but of the plate on it; whichever is joined first, and
+/// with the plate between larger or smaller than the upper one.
+TEST(Stack, EachPlateMayLieOnTheNextAtADistance) {
+  const PlatePair lower{.x = 1, .y = 1, .length = 4, .width = 4, .turn = 0.1, .height = 0.008};
+  PlatePair upper{.x = 1.9, .y = 1.8, .length = 2, .width = 2, .turn = 0.2, .height = 0.016};
+  PlatePair side = upper;
+  side.height = -0.008;
+  for (const auto& stack : {std::vector{lower, upper}, std::vector{upper, lower}, std::vector{upper, side, lower},
+                            std::vector{lower, side, upper}})
+    for (const std::string& fault : faults(stack)) ADD_FAILURE() << fault;
+}
+
 }  // namespace
 }  // namespace meshgraft

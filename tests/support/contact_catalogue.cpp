@@ -151,6 +151,11 @@ void add_stacks(std::vector<Merge>& all) {
            })));
   all.push_back(with(with(one, "", standing({0.3, 0.87, 0}, {1.4, 0, 0}, "ALONG")), "doubler_and_webs_through_a_point",
                      standing({1.02, 0.3, 0}, {0, 1.2, 0}, "ACROSS")));
+  // Each within the tolerance of the next, the last not of the wall. The plate between is joined last.
+  const auto apart = [](double height) { return contact("", wall(), doubler(kSize, height), 0.85, 0.015); };
+  all.push_back(with(apart(0.01), "doubler_on_doubler_apart", inner(0.02)));
+  all.push_back(with(apart(0.01), "doubler_beyond_doubler_apart", second(0.02)));
+  all.push_back(with(apart(0.02), "plate_between_wall_and_doubler", inner(0.01)));
   // The far corner stands off by nearly the tolerance.
   all.push_back(with(contact("", wall(),
                              moved(doubler(),

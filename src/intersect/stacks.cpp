@@ -1,0 +1,81 @@
+#include "intersect/stacks.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "core/distinct.hpp"
+#include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// Pairs of components that lie over one face of the second side, ascending.
+std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex, const Contacts& contacts) {
+  std::map<FaceId, std::vector<FaceId>> on;  // by face of the second side
+  for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
+    if (contacts.on_each_other[i] != 0) on[contacts.pairs[i][1]].push_back(contacts.pairs[i][0]);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (const auto& [g, faces] : on)
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const std::uint32_t a = complex.component[faces[i].value], b = complex.component[faces[j].value];
+        if (a != b && have_common_area(complex.corners(faces[i]), complex.corners(faces[j])))
+          pairs.push_back({std::min(a, b), std::max(a, b)});
+      }
+  make_distinct(pairs);
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts) {
+  std::vector<std::uint32_t> behind;
+  for (const auto& [first, second] : over_each_other(complex, contacts))
+    if (!std::ranges::binary_search(behind, first)) {
+      behind.push_back(second);
+      make_distinct(behind);
+    }
+  if (behind.empty()) return behind;
+  Contacts left;
+  for (std::size_t i = 0; i < contacts.pairs.size(); ++i) {
+    if (std::ranges::binary_search(behind, complex.component[contacts.pairs[i][0].value])) continue;
+    left.pairs.push_back(contacts.pairs[i]), left.on_each_other.push_back(contacts.on_each_other[i]);
+  }
+  contacts = std::move(left);
+  return behind;
+}
+
+void draw_together(LyingMeeting& l) {
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    Vec3 shift;
+  };
+  const std::size_t s = l.goes();
+  std::map<VertexId, Nearest> nearest;
+  for (const FacePair& p : l.pairs) {
+    const FaceId f = l.meeting.side[l.stays].face(p[l.stays]), g = l.meeting.side[s].face(p[s]);
+    const Triangle t = l.triangle(l.stays, p[l.stays]);
+    const Vec3 n = unit_normal(t);
+    Reach between = l.reach[f.value];
+    const bool same_way = dot(n, unit_normal(l.triangle(s, p[s]))) > 0;
+    const Reach own = same_way ? l.reach[g.value].turned() : l.reach[g.value];
+    between.low += own.low, between.high += own.high;
+    if (between == Reach{}) continue;
+    for (const VertexId v : l.meeting.side[s].corners(p[s])) {
+      const Vec3 at = l.at(s, v);
+      const double d = distance(at, closest_on_triangle(at, t).point);
+      if (d >= nearest[v].distance) continue;
+      nearest[v] = {d, std::clamp(dot(n, at - t[0]), between.low, between.high) * n};
+    }
+  }
+  for (const auto& [v, to] : nearest) l.meeting.chart[s][v.value] -= to.shift;
+}
+
+double height_above(const Triangle& face, const Triangle& other) {
+  const Vec3 n = unit_normal(face), m = unit_normal(other);
+  return dot(m, other[0] - centroid(face)) / dot(m, n);
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,23 @@
+// More than two meshes over one place: what lies on what lies on a face.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "intersect/lying.hpp"
+
+namespace meshgraft {
+
+/// Where faces of several components of the first side lie over one face of the second (a plate between two
+/// others), the second can be laid on one of them only. Takes the contacts with the others out.
+///   returns   their components, ascending: the largest, as what was laid on the first comes between
+[[nodiscard]] std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts);
+
+/// Draws the side that goes towards the one that stays by what lay between them (Reach), where they
+/// are in contact: in its chart, not in the complex.
+void draw_together(LyingMeeting& lying);
+
+/// Height of the plane of `other` above the middle of a face, along its normal.
+[[nodiscard]] double height_above(const Triangle& face, const Triangle& other);
+
+}  // namespace meshgraft
