@@ -68,8 +68,8 @@ class Overlayer {
     declare_lying(l);
     if (auto fault = trace_imprinted(l)) return failed(std::move(*fault));
     const std::array<Imprint, 2> imprint = imprint_of(l);
-    const std::vector<std::array<VertexId, 3>> before = complex_.face;
-    const std::vector<CutEdge> cut_in_vain = takes_over() ? std::vector<CutEdge>{} : edges_cut_in_vain(l);
+    const UncutFaces before{complex_.face, marks_.touched};
+    std::vector<CutEdge> cut_in_vain = takes_over() ? std::vector<CutEdge>{} : edges_cut_in_vain(l);
     if (auto fault = apply(l.meeting, imprint, marks_)) {
       if (fault->face.valid()) fault->face = marks_.from[fault->face.value];
       return tl::unexpected(std::move(*fault));
@@ -83,6 +83,7 @@ class Overlayer {
     take_out_flat(l, [&](double) { return rule_.snap.noise(); });
     take_out(l);
     take_out_flat(l, [&](double size) { return rule_.beside(size); });
+    let_go_of_bare(l, cut_in_vain);
     take_out_points(complex_, marks_, cut_in_vain, before);
     return std::move(out_);
   }
@@ -270,6 +271,19 @@ class Overlayer {
       edges.push_back(std::move(edge));
     }
     return edges;
+  }
+
+  /// Nor does the side that is kept need a node, whatever it is there, where nothing is left of the other.
+  void let_go_of_bare(const LyingMeeting& l, std::vector<CutEdge>& edges) const {
+    std::vector<std::uint8_t> is_needed(complex_.n_vertices());
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (sides_.own[l.goes()][marks_.from[f].value])
+        for (const VertexId v : complex_.face[f]) is_needed[v.value] = 1;
+    for (CutEdge& edge : edges)
+      for (std::size_t i = 1; i + 1 < edge.chain.size(); ++i) {
+        const std::size_t v = edge.chain[i].value;
+        if (!is_needed[v] && complex_.state[v] == VertexState::kOpen) edge.may_go[i] = 1;
+      }
   }
 
   /// A face that stays, and the one that lies on it and goes.

@@ -17,8 +17,7 @@ using Corners = std::array<VertexId, 3>;
 
 class PointRemover {
  public:
-  PointRemover(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges,
-               const std::vector<Corners>& before)
+  PointRemover(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges, const UncutFaces& before)
       : complex_(complex), marks_(marks), edges_(edges), before_(before) {
     std::vector<std::uint8_t> may_go(complex.n_vertices());
     for (std::uint32_t e = 0; e < edges.size(); ++e)
@@ -194,17 +193,17 @@ class PointRemover {
   void rebuild() {
     std::erase_if(pieces_, [](const Piece& p) { return p.is_gone; });
     std::ranges::stable_sort(pieces_, {}, &Piece::of);
-    std::vector<std::uint32_t> n_of(before_.size());
+    std::vector<std::uint32_t> n_of(before_.corners.size());
     for (const Piece& p : pieces_) ++n_of[marks_.from[p.of].value];
     Complex old;
     complex_.swap_faces(old);
     FaceMarks marks;
     for (const Piece& p : pieces_) {
       const std::uint32_t from = marks_.from[p.of].value;
-      const bool is_whole = n_of[from] == 1 && std::ranges::is_permutation(p.corners, before_[from]);
-      complex_.add_face(is_whole ? before_[from] : p.corners, old, FaceId(std::size_t{p.of}));
+      const bool is_whole = n_of[from] == 1 && std::ranges::is_permutation(p.corners, before_.corners[from]);
+      complex_.add_face(is_whole ? before_.corners[from] : p.corners, old, FaceId(std::size_t{p.of}));
       marks.add(marks_, p.of);
-      if (is_whole) marks.touched.back() = 0;
+      if (is_whole) marks.touched.back() = before_.touched[from];
     }
     marks_ = std::move(marks);
   }
@@ -212,7 +211,7 @@ class PointRemover {
   Complex& complex_;
   FaceMarks& marks_;
   const std::vector<CutEdge>& edges_;
-  const std::vector<Corners>& before_;
+  const UncutFaces& before_;
   std::vector<Piece> pieces_;
   std::map<VertexId, std::vector<std::uint32_t>> at_;        // pieces at points that may go
   std::map<VertexId, std::vector<std::uint32_t>> edges_at_;  // edges that a vertex is on
@@ -220,8 +219,7 @@ class PointRemover {
 
 }  // namespace
 
-void take_out_points(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges,
-                     const std::vector<std::array<VertexId, 3>>& before) {
+void take_out_points(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges, const UncutFaces& before) {
   if (!edges.empty()) PointRemover(complex, marks, edges, before).run();
 }
 

@@ -116,9 +116,11 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   }
 
   Zone zone = best.zone;
+  const int automatic = zone.bandwidth.empty() ? 0 : *std::ranges::max_element(zone.bandwidth);
+  const int most = std::max(limits.max_neighbourhoods, automatic + limits.beyond);
   std::vector<Vec3> places = mendable_places(best.remeshed);
   for (int round = 1; round <= limits.max_rounds && !places.empty(); ++round) {
-    if (!widen(zone, corefined, places, limits.max_neighbourhoods)) break;
+    if (!widen(zone, corefined, places, most)) break;
     Attempt wider = attempt(zone);
     places = mendable_places(wider.remeshed);
     if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "geometry/quality.hpp"
+#include "zone/original_faces.hpp"
 
 namespace meshgraft {
 namespace {
@@ -52,6 +53,11 @@ class Classifier {
              const BrepOptions& options)
       : complex_(complex), edges_(edges), parents_(parents), marks_(marks), options_(options) {
     area_vector_ = area_vectors(parents, complex);
+    if (options.original == nullptr) return;
+    const OriginalFaces originals(*options.original);
+    for (std::uint32_t p = 0; p < parents.size(); ++p)
+      if (const FaceId f = originals.find(complex.parent[parents.faces_of(p).front().value]); f.valid())
+        area_vector_[p] = area_vector(options.original->corners(f));
   }
 
   [[nodiscard]] bool is_curve(EdgeId e) const {
@@ -86,7 +92,7 @@ class Classifier {
   const Parents& parents_;
   const CurveEdges& marks_;
   const BrepOptions& options_;
-  std::vector<Vec3> area_vector_;  // by parent
+  std::vector<Vec3> area_vector_;  // by parent, as it was in the input: closing a gap bends faces, and makes no edge
 };
 
 }  // namespace

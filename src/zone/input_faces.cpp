@@ -20,7 +20,11 @@ InputFaces::InputFaces(const Corefined& corefined)
       faces_at_(complex_),
       touched_(parents_.size(), 0),
       frozen_(parents_.size(), 0),
-      kept_(parents_.size(), 0) {
+      kept_(parents_.size(), 0),
+      has_lost_(parents_.size(), 0) {
+  for (std::uint32_t i = 0; i < size(); ++i)
+    has_lost_[i] = std::ranges::binary_search(corefined.covered, complex_.parent[pieces(i).front().value], {},
+                                              &Corefined::Covered::face);
   mean_edge_length_.reserve(size());
   for (std::uint32_t i = 0; i < size(); ++i)
     mean_edge_length_.push_back(pieces(i).size() == 1 ? meshgraft::mean_edge_length(complex_.corners(pieces(i).front()))

@@ -22,6 +22,8 @@ class InputFaces {
   [[nodiscard]] std::span<const FaceId> pieces(std::uint32_t i) const { return parents_.faces_of(i); }
   [[nodiscard]] std::uint32_t component(std::uint32_t i) const { return complex_.component[pieces(i).front().value]; }
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
+  /// Neither cut nor in part taken out.
+  [[nodiscard]] bool is_whole(std::uint32_t i) const { return pieces(i).size() == 1 && !has_lost_[i]; }
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
   /// It lies in an area of contact that stays as it is: not cut, and not in the neighbourhoods of a face there that
@@ -50,7 +52,7 @@ class InputFaces {
   const Complex& complex_;
   Parents parents_;
   VertexFaces faces_at_;
-  std::vector<std::uint8_t> touched_, frozen_, kept_;
+  std::vector<std::uint8_t> touched_, frozen_, kept_, has_lost_;
   std::vector<double> mean_edge_length_;
 };
 

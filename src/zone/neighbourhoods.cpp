@@ -13,6 +13,7 @@ namespace meshgraft {
 namespace {
 
 constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each side of the line
+constexpr double kRow = 0.866;      // width of a neighbourhood over the edge length: height of an equilateral triangle
 constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
 
 /// Those of which no face is left count too: all of theirs lay on others.
@@ -46,7 +47,7 @@ int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size)
   inputs.each_neighbour(i, [&](std::uint32_t j) { sum += inputs.mean_edge_length(j), ++count; });
   const double own = sum / count, junction = size.junction_size(inputs.centre(i));
   if (!std::isfinite(junction)) return 1;
-  return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / own)) + 1;
+  return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / (kRow * own))) + 1;
 }
 
 /// Spreads the neighbourhoods still to take from each input face to its neighbours, most first.
@@ -133,7 +134,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
     if (!inputs.touched(i)) continue;
     const std::uint32_t c = inputs.component(i);
     const int room = transition(inputs, i, size);
-    if (!bandwidth && inputs.pieces(i).size() == 1 && room <= kSettled) continue;
+    if (!bandwidth && inputs.is_whole(i) && room <= kSettled) continue;
     left[i] = bandwidth ? *bandwidth : std::max(least[c], room) + more;
     zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
   }

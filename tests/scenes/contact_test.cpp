@@ -156,6 +156,39 @@ TEST(KeptContact, TheKeptBaseChangesOnlyWhereBordersCross) {
     EXPECT_LT(std::min(norm(p - Vec3{2, 0.27, 0}), norm(p - Vec3{2, 1.37, 0})), 0.5);
 }
 
+/// Where nothing is left of the other mesh at a node of its border, the kept mesh needs none there.
+TEST(KeptContact, AMeshOnWhichTheOtherEndsOnItsNodesStaysBitForBit) {
+  const scenes::Merge& scene = scene_named("identical_meshes");
+  for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
+    const auto merged = merged_keeping(scene, overlap);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << first_problem(merged->report);
+    const Model result = apply(scene.base, scene.parts, *merged);
+    EXPECT_TRUE(lost_faces(overlap == Overlap::kKeepBase ? scene.base : scene.parts[0], result).empty());
+  }
+}
+
+/// Of these the mesh that ends on the other was too narrow a zone, or got edges where the gap had bent it.
+TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
+  const auto expect_good = [](const char* name, Overlap overlap) {
+    const scenes::Merge& scene = scene_named(name);
+    const auto merged = merged_keeping(scene, overlap);
+    ASSERT_TRUE(merged.has_value()) << name << ' ' << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << first_problem(merged->report);
+    EXPECT_GE(merged->report.quality.min, scene.min_q) << name;
+    EXPECT_GE(merged->report.quality.mean, 0.85) << name;
+    EXPECT_TRUE(meshgraft::check(apply(scene.base, scene.parts, *merged)).sound()) << name;
+  };
+  for (const char* name : {"partial_overlap_1_1", "partial_overlap_1_8", "three_in_partial_overlap"})
+    expect_good(name, Overlap::kKeepBase);
+  for (const char* name :
+       {"doubler_above", "doubler_below", "doubler_at_free_edge", "doubler_in_corner", "partial_overlap_1_8",
+        "two_doublers_on_one_place", "doubler_on_doubler", "three_doublers_on_one_place", "doubler_on_doubler_apart",
+        "doubler_beyond_doubler_apart", "plate_between_wall_and_doubler", "doubler_and_web_through_a_line",
+        "doubler_and_webs_through_a_point"})
+    expect_good(name, Overlap::kKeepPart);
+}
+
 TEST(KeptContact, ToDeleteAWholePartIsRefused) {
   const auto merged = merged_keeping(scene_named("doubler"), Overlap::kKeepBase);
   ASSERT_FALSE(merged.has_value());
