@@ -77,7 +77,7 @@ tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& comple
 Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOptions& options, const GroupTable& table,
                         GroupSets& sets) {
   const std::vector<const Model*> with_tool{&base, &tool.model}, alone{&base};
-  const NearFaces near = near_faces(base, tool, options.zone.tolerance);
+  const FacesToCut near = near_faces(base, tool, options.zone.tolerance);
   WorkpieceOptions workpiece_options;
   if (options.zone.bandwidth)
     workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.zone.bandwidth);

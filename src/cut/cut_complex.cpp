@@ -44,7 +44,7 @@ std::vector<ElementId> with_neighbours(const Model& tool, const std::vector<std:
 
 }  // namespace
 
-NearFaces near_faces(const Model& base, const ToolSurface& surface, const Tolerance& tolerance) {
+FacesToCut near_faces(const Model& base, const ToolSurface& surface, const Tolerance& tolerance) {
   const Model& tool = surface.model;
   std::vector<Box> boxes(surface.n_cutting);
   for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = box_of(tool.corners(ElementId(f)));
@@ -60,7 +60,7 @@ NearFaces near_faces(const Model& base, const ToolSurface& surface, const Tolera
       if (!is_beside(t, u, gap) && !is_beside(u, t, gap)) out.push_back({e, ElementId(std::size_t{j})});
     });
   });
-  NearFaces near;
+  FacesToCut near;
   std::vector<std::uint8_t> marked(tool.n_elements());
   for (const NearPair& pair : pairs) {
     if (near.of_base.empty() || near.of_base.back() != pair.of_base) near.of_base.push_back(pair.of_base);

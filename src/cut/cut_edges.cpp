@@ -39,8 +39,8 @@ class Border {
 Junction cut_edges(const Complex& complex, std::span<const Dropped::Segment> segments) {
   const Border border(segments);
   Junction junction;
-  const std::vector<EdgeUse> uses = edge_uses(complex);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  const std::vector<FaceOnEdge> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
     if (edge.size() != 1) return;
     const Vec3 a = complex.position[edge[0].low.value], b = complex.position[edge[0].high.value];
     const double length = distance(a, b);

@@ -63,10 +63,10 @@ class Sorter {
   /// They go, stay or are cut with the faces of the complex.
   void settle_lines_on_edges() {
     if (complex_.lines.empty()) return;
-    const std::vector<EdgeUse> uses = edge_uses(complex_);
+    const std::vector<FaceOnEdge> uses = edge_uses(complex_);
     for (const Complex::Line& line : complex_.lines) {
       const auto [low, high] = std::minmax(line.ends[0], line.ends[1]);
-      const auto at = std::ranges::lower_bound(uses, EdgeUse{low, high, FaceId(std::size_t{0})});
+      const auto at = std::ranges::lower_bound(uses, FaceOnEdge{low, high, FaceId(std::size_t{0})});
       if (at != uses.end() && at->low == low && at->high == high) settled_[line.parent.element.value] = 1;
     }
   }

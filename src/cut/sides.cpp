@@ -16,8 +16,8 @@ class OpenTool {
  public:
   OpenTool(const BasePieces& pieces, const Corefined& corefined, std::uint32_t component)
       : pieces_(pieces), complex_(corefined.complex), component_(component), sides_(pieces.n, ToolSide::kUnknown) {
-    const std::vector<EdgeUse> uses = edge_uses(complex_);
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const std::vector<FaceOnEdge> uses = edge_uses(complex_);
+    for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
       const std::array<VertexId, 2> ends{edge[0].low, edge[0].high};
       if (std::ranges::binary_search(corefined.junction_edges, ends)) look_at(edge);
       note_border(edge);
@@ -32,20 +32,20 @@ class OpenTool {
   }
 
  private:
-  [[nodiscard]] VertexId apex(const EdgeUse& use) const {
+  [[nodiscard]] VertexId apex(const FaceOnEdge& use) const {
     for (const VertexId v : complex_.face[use.face.value])
       if (v != use.low && v != use.high) return v;
     return {};
   }
 
   /// +1 if the vertex is on the side of the face to which its normal points. Exact.
-  [[nodiscard]] int side_of_face(const EdgeUse& tool, VertexId v) const {
+  [[nodiscard]] int side_of_face(const FaceOnEdge& tool, VertexId v) const {
     const Triangle t = complex_.corners(tool.face);
     return orientation_sign(t[0], t[1], t[2], complex_.position[v.value]);
   }
 
   /// The side of the tool on which a vertex lies, seen from an edge with one or two faces of the tool.
-  [[nodiscard]] ToolSide side(std::span<const EdgeUse> tool, VertexId v) const {
+  [[nodiscard]] ToolSide side(std::span<const FaceOnEdge> tool, VertexId v) const {
     int sign = side_of_face(tool[0], v);
     if (tool.size() == 2) {
       const int other = side_of_face(tool[1], v), fold = side_of_face(tool[0], apex(tool[1]));
@@ -56,12 +56,12 @@ class OpenTool {
     return sign > 0 ? ToolSide::kOutside : sign < 0 ? ToolSide::kInside : ToolSide::kUnknown;
   }
 
-  void look_at(std::span<const EdgeUse> edge) {
-    std::vector<EdgeUse> tool;
-    for (const EdgeUse& use : edge)
+  void look_at(std::span<const FaceOnEdge> edge) {
+    std::vector<FaceOnEdge> tool;
+    for (const FaceOnEdge& use : edge)
       if (complex_.component[use.face.value] == component_) tool.push_back(use);
     std::map<std::uint32_t, ToolSide> here;  // by piece
-    for (const EdgeUse& use : edge) {
+    for (const FaceOnEdge& use : edge) {
       if (complex_.component[use.face.value] == component_) continue;
       const ToolSide s = side(tool, apex(use));
       const std::uint32_t piece = pieces_.of_face[use.face.value];
@@ -74,9 +74,9 @@ class OpenTool {
     }
   }
 
-  void note_border(std::span<const EdgeUse> edge) {
-    const auto n =
-        std::ranges::count_if(edge, [&](const EdgeUse& u) { return complex_.component[u.face.value] != component_; });
+  void note_border(std::span<const FaceOnEdge> edge) {
+    const auto n = std::ranges::count_if(
+        edge, [&](const FaceOnEdge& u) { return complex_.component[u.face.value] != component_; });
     if (n == 1) border_.push_back(edge[0].low), border_.push_back(edge[0].high);
   }
 

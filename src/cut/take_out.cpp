@@ -147,9 +147,9 @@ MarkedCut without_tool(const Complex& original, const Corefined& corefined, std:
 
 std::vector<std::array<VertexId, 2>> border_of(const Complex& complex, std::span<const std::uint8_t> goes) {
   std::vector<std::array<VertexId, 2>> border;
-  const std::vector<EdgeUse> uses = edge_uses(complex);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    const auto n = std::ranges::count_if(edge, [&](const EdgeUse& u) { return goes[u.face.value] != 0; });
+  const std::vector<FaceOnEdge> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
+    const auto n = std::ranges::count_if(edge, [&](const FaceOnEdge& u) { return goes[u.face.value] != 0; });
     if (n > 0 && n < static_cast<std::ptrdiff_t>(edge.size())) border.push_back({edge[0].low, edge[0].high});
   });
   return border;

@@ -17,17 +17,17 @@ struct Remains {
   std::size_t kept = 0, gone = 0;
 };
 
-Remains remains_of(std::span<const EdgeUse> edge, std::span<const std::uint8_t> marked) {
+Remains remains_of(std::span<const FaceOnEdge> edge, std::span<const std::uint8_t> marked) {
   Remains r;
-  for (const EdgeUse& use : edge) ++(marked[use.face.value] != 0 ? r.gone : r.kept);
+  for (const FaceOnEdge& use : edge) ++(marked[use.face.value] != 0 ? r.gone : r.kept);
   return r;
 }
 
 /// Notes which edges become free or go, and gives the edges that no face has any more, ascending.
 std::vector<Edge> note_edges(const Complex& complex, std::span<const std::uint8_t> marked, Dropped& dropped) {
   std::vector<Edge> bare;
-  const std::vector<EdgeUse> uses = edge_uses(complex);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  const std::vector<FaceOnEdge> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
     const Remains r = remains_of(edge, marked);
     const VertexId a = edge[0].low, b = edge[0].high;
     const Dropped::Segment segment{complex.position[a.value], complex.position[b.value]};
@@ -60,8 +60,8 @@ void keep(std::vector<T>& list, std::span<const std::uint8_t> marked) {
 
 std::vector<std::uint32_t> pieces_of(const Complex& complex, std::span<const Edge> borders) {
   UnionFind sets(complex.n_faces());
-  const std::vector<EdgeUse> uses = edge_uses(complex);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  const std::vector<FaceOnEdge> uses = edge_uses(complex);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
     if (std::ranges::binary_search(borders, Edge{edge[0].low, edge[0].high})) return;
     for (std::size_t i = 1; i < edge.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)

@@ -4,8 +4,8 @@
 
 namespace meshgraft {
 
-std::vector<EdgeUse> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted) {
-  std::vector<EdgeUse> uses;
+std::vector<FaceOnEdge> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted) {
+  std::vector<FaceOnEdge> uses;
   const auto is_wanted = [&](VertexId v) { return wanted.empty() || wanted[v.value] != 0; };
   for (std::size_t f = 0; f < complex.n_faces(); ++f) {
     const auto& v = complex.face[f];

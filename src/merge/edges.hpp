@@ -10,19 +10,19 @@
 namespace meshgraft {
 
 /// One face on one edge.
-struct EdgeUse {
+struct FaceOnEdge {
   VertexId low, high;  // low < high
   FaceId face;
-  friend constexpr auto operator<=>(EdgeUse, EdgeUse) = default;
+  friend constexpr auto operator<=>(FaceOnEdge, FaceOnEdge) = default;
 };
 
 /// Ascending: uses of one edge stand together. Only edges both of whose ends `wanted` marks (by
 /// vertex; empty: all).
-[[nodiscard]] std::vector<EdgeUse> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted = {});
+[[nodiscard]] std::vector<FaceOnEdge> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted = {});
 
-/// Calls f(std::span<const EdgeUse>) once for each edge.
+/// Calls f(std::span<const FaceOnEdge>) once for each edge.
 template <class F>
-void for_each_edge(std::span<const EdgeUse> uses, F&& f) {
+void for_each_edge(std::span<const FaceOnEdge> uses, F&& f) {
   for (std::size_t first = 0; first < uses.size();) {
     std::size_t last = first + 1;
     while (last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high) ++last;

@@ -103,10 +103,10 @@ class Measure {
   /// Each edge of a new face once for each component.
   void edges() {
     const Complex& complex = outcome_.final_complex;
-    const std::vector<EdgeUse> uses = edge_uses(complex, changed_vertices(outcome_));
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const std::vector<FaceOnEdge> uses = edge_uses(complex, changed_vertices(outcome_));
+    for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
       for (std::size_t k = 0; k < edge.size(); ++k) {
-        const auto same_component = [&](const EdgeUse& e) {
+        const auto same_component = [&](const FaceOnEdge& e) {
           return outcome_.is_new(e.face) && complex.component[e.face.value] == complex.component[edge[k].face.value];
         };
         if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_component)) continue;

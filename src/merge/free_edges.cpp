@@ -14,12 +14,12 @@ namespace {
 using Segment = std::array<Vec3, 2>;
 using NodePair = std::array<NodeRef, 2>;
 
-std::vector<EdgeUse> free_edges(const Complex& complex, std::span<const std::uint8_t> wanted) {
-  std::vector<EdgeUse> found;
-  const std::vector<EdgeUse> uses = edge_uses(complex, wanted);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+std::vector<FaceOnEdge> free_edges(const Complex& complex, std::span<const std::uint8_t> wanted) {
+  std::vector<FaceOnEdge> found;
+  const std::vector<FaceOnEdge> uses = edge_uses(complex, wanted);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
     // Layers on the same nodes end together.
-    const auto on_the_same = [&](const EdgeUse& use) {
+    const auto on_the_same = [&](const FaceOnEdge& use) {
       return std::ranges::is_permutation(complex.face[use.face.value], complex.face[edge[0].face.value]);
     };
     if (std::ranges::all_of(edge, on_the_same)) found.push_back(edge[0]);
@@ -32,7 +32,7 @@ Segment segment(const Complex& complex, VertexId a, VertexId b) {
 }
 
 /// An edge of the workpiece with its nodes where they were moved to.
-Segment moved_segment(const Outcome& outcome, const EdgeUse& e) {
+Segment moved_segment(const Outcome& outcome, const FaceOnEdge& e) {
   const Complex& before = outcome.original;
   return {outcome.places.of(before.node[e.low.value]), outcome.places.of(before.node[e.high.value])};
 }
@@ -64,14 +64,14 @@ class Segments {
   BoxTree tree_;
 };
 
-NodePair key(const Complex& complex, const EdgeUse& e) {
+NodePair key(const Complex& complex, const FaceOnEdge& e) {
   const NodeRef a = complex.node[e.low.value], b = complex.node[e.high.value];
   return {std::min(a, b), std::max(a, b)};
 }
 
-std::vector<NodePair> keys(const Complex& complex, std::span<const EdgeUse> edges) {
+std::vector<NodePair> keys(const Complex& complex, std::span<const FaceOnEdge> edges) {
   std::vector<NodePair> all;
-  for (const EdgeUse& e : edges) all.push_back(key(complex, e));
+  for (const FaceOnEdge& e : edges) all.push_back(key(complex, e));
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -112,19 +112,19 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   const Complex &before = outcome.original, &after = outcome.final_complex;
   const std::vector<std::uint8_t> changed = changed_vertices(outcome);
   const std::vector<NodeRef> unchanged = unchanged_nodes(outcome, changed);
-  const std::vector<EdgeUse> old_edges = free_edges(before, changed_before(outcome, unchanged));
-  const std::vector<EdgeUse> new_edges = free_edges(after, changed);
+  const std::vector<FaceOnEdge> old_edges = free_edges(before, changed_before(outcome, unchanged));
+  const std::vector<FaceOnEdge> new_edges = free_edges(after, changed);
   const std::vector<NodePair> old_keys = keys(before, old_edges), new_keys = keys(after, new_edges);
 
   // What was dropped takes free edges with it and leaves new ones.
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
-  for (const EdgeUse& e : old_edges) old_segments.push_back(moved_segment(outcome, e));
-  for (const EdgeUse& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
+  for (const FaceOnEdge& e : old_edges) old_segments.push_back(moved_segment(outcome, e));
+  for (const FaceOnEdge& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
   for (const JunctionEdge& e : junction_of(after).edges) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
   const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments));
 
-  const auto matches = [&](const Complex& complex, const EdgeUse& e, const Segment& s, std::span<const NodePair> known,
-                           const Segments& segments) {
+  const auto matches = [&](const Complex& complex, const FaceOnEdge& e, const Segment& s,
+                           std::span<const NodePair> known, const Segments& segments) {
     const ElementRef parent = complex.parent[e.face.value];
     const NodePair nodes = key(complex, e);
     if (nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes)) return true;
@@ -132,14 +132,14 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
     return segments.cover(s, std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length)));
   };
   // An edge whose ends became one with others, where nothing else changed.
-  const auto is_there = [&](const EdgeUse& e) {
+  const auto is_there = [&](const FaceOnEdge& e) {
     return std::ranges::all_of(key(before, e),
                                [&](NodeRef n) { return std::ranges::binary_search(unchanged, heir(outcome, n)); });
   };
   FreeEdgeChanges changes;
-  for (const EdgeUse& e : new_edges)
+  for (const FaceOnEdge& e : new_edges)
     if (!matches(after, e, segment(after, e.low, e.high), old_keys, was_free)) changes.cracks.push_back(e);
-  for (const EdgeUse& e : old_edges)
+  for (const FaceOnEdge& e : old_edges)
     if (!matches(before, e, moved_segment(outcome, e), new_keys, is_free) && !is_there(e) &&
         !went_with_its_face(outcome, before.parent[e.face.value]))
       changes.closed.push_back(e);

@@ -10,8 +10,8 @@
 namespace meshgraft {
 
 struct FreeEdgeChanges {
-  std::vector<EdgeUse> cracks;  // free edges of the final complex where none was
-  std::vector<EdgeUse> closed;  // free edges of the original complex that are neither free nor on the junction now
+  std::vector<FaceOnEdge> cracks;  // free edges of the final complex where none was
+  std::vector<FaceOnEdge> closed;  // free edges of the original complex that are neither free nor on the junction now
 };
 
 /// Compares free edges around whatever changed. Edges correspond if they have the same nodes, or if

@@ -96,11 +96,11 @@ Junction junction_of(const Complex& complex) {
   const std::vector<std::uint8_t> shared = shared_vertices(complex);
   Junction junction;
   std::vector<std::uint8_t> on_edge(complex.n_vertices());
-  const std::vector<EdgeUse> uses = edge_uses(complex, shared);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  const std::vector<FaceOnEdge> uses = edge_uses(complex, shared);
+  for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
     JunctionEdge e{{edge[0].low, edge[0].high}, {}};
     bool alike = true, overlaid = false;
-    for (const EdgeUse& use : edge) {
+    for (const FaceOnEdge& use : edge) {
       const std::vector<std::uint32_t> of = complex.components_of(use.face);
       e.components.insert(e.components.end(), of.begin(), of.end());
       overlaid = overlaid || of.size() > 1;

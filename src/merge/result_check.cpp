@@ -136,13 +136,13 @@ class ResultCheck {
   void free_edges() {
     const FreeEdgeChanges changes = free_edge_changes(outcome_, tolerance_, limits_.free_edge_distance);
     Findings cracks(errors_, limits_.max_listed), closed(errors_, limits_.max_listed);
-    for (const EdgeUse& e : changes.cracks)
+    for (const FaceOnEdge& e : changes.cracks)
       cracks.add("the edge of " + outcome_.text(e.face) + " around " +
                      text_of(midpoint(complex_.position[e.low.value], complex_.position[e.high.value])) +
                      " is free and was not",
                  outcome_.parent_place(e.face));
     const Complex& before = outcome_.original;
-    for (const EdgeUse& e : changes.closed) {
+    for (const FaceOnEdge& e : changes.closed) {
       const ElementRef parent = before.parent[e.face.value];
       closed.add("the free edge of " + text_of(outcome_.inputs, parent) + " around " +
                      text_of(midpoint(before.position[e.low.value], before.position[e.high.value])) + " is gone",

@@ -55,18 +55,18 @@ class Trimmer {
   }
 
   void collect_edges() {
-    const std::vector<EdgeUse> uses = edge_uses(complex_);
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const std::vector<FaceOnEdge> uses = edge_uses(complex_);
+    for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
       const Edge ends{edge[0].low, edge[0].high};
       const bool is_border = std::ranges::binary_search(borders_, ends);
-      for (const EdgeUse& use : edge) {
+      for (const FaceOnEdge& use : edge) {
         const auto at = pieces_.find(piece_of_[use.face.value]);
         if (at == pieces_.end()) continue;
         if (edge.size() == 1) at->second.has_free_edge = true;
         if (!is_border) continue;
         at->second.border.push_back(ends);
         bool goes_on = false;
-        for (const EdgeUse& other : edge) {
+        for (const FaceOnEdge& other : edge) {
           const std::uint32_t piece = piece_of_[other.face.value];
           if (piece == at->first || complex_.component[other.face.value] != complex_.component[use.face.value])
             continue;
@@ -97,10 +97,10 @@ class Trimmer {
   /// 1D elements that end on a piece and do not lie on its edges.
   void find_holds() {
     if (complex_.lines.empty()) return;
-    const std::vector<EdgeUse> uses = edge_uses(complex_);
+    const std::vector<FaceOnEdge> uses = edge_uses(complex_);
     for (const Complex::Line& line : complex_.lines) {
       const auto [low, high] = std::minmax(line.ends[0], line.ends[1]);
-      const auto at = std::ranges::lower_bound(uses, EdgeUse{low, high, FaceId(std::size_t{0})});
+      const auto at = std::ranges::lower_bound(uses, FaceOnEdge{low, high, FaceId(std::size_t{0})});
       if (at != uses.end() && at->low == low && at->high == high) continue;
       for (const VertexId v : line.ends)
         if (const auto piece = pieces_.find(only_[v.value]); piece != pieces_.end()) piece->second.is_held = true;
