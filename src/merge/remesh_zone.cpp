@@ -120,7 +120,7 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   const int most = std::max(limits.max_neighbourhoods, automatic + limits.beyond);
   std::vector<Vec3> places = mendable_places(best.remeshed);
   for (int round = 1; round <= limits.max_rounds && !places.empty(); ++round) {
-    if (!widen(zone, corefined, places, most)) break;
+    if (!widen(zone, corefined, size, places, most)) break;
     Attempt wider = attempt(zone);
     places = mendable_places(wider.remeshed);
     if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))

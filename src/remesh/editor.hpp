@@ -94,6 +94,8 @@ class Editor {
   bool place(VertexId v, const LocalVertex& to);
   bool fill(VertexId v, const Fan& fan, CurveId closing);
   bool close_gap(const Fan& fan, CurveId closing);
+  /// Whether the chord between two arc lengths of a curve is as near to it as the ruler wants.
+  [[nodiscard]] bool follows(CurveId curve, double from, double to, double chord) const;
   [[nodiscard]] bool may_join_along_curve(VertexId v, const Reach& span, std::span<const Fan> fans) const;
   void split_faces(VertexId a, VertexId b, VertexId middle, std::span<const FaceId> faces);
   [[nodiscard]] std::optional<double> middle_arc(VertexId a, VertexId b, CurveId curve) const;

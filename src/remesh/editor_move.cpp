@@ -102,11 +102,15 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
   if (!(best < before * (1 - kLeastGain))) return false;
   to.position = reference_->point(to.curve, arc);
   to.arc = reference_->wrapped(to.curve, arc);
-  const double share = kSagittaSlack * RulerOptions{}.max_sagitta;
-  if (reference_->sagitta(to.curve, span->from, arc) > share * distance(mesh_.position(span->before), to.position) ||
-      reference_->sagitta(to.curve, arc, span->to) > share * distance(mesh_.position(span->after), to.position))
+  if (!follows(to.curve, span->from, arc, distance(mesh_.position(span->before), to.position)) ||
+      !follows(to.curve, arc, span->to, distance(mesh_.position(span->after), to.position)))
     return false;
   return place(v, to);
+}
+
+bool Editor::follows(CurveId curve, double from, double to, double chord) const {
+  const double allowed = std::max(sizing_.slack(curve), RulerOptions{}.max_sagitta * chord);
+  return reference_->sagitta(curve, from, to) <= kSagittaSlack * allowed;
 }
 
 bool Editor::place(VertexId v, const LocalVertex& to) {

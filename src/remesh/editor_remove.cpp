@@ -4,7 +4,6 @@
 #include "geometry/quality.hpp"
 #include "remesh/editor.hpp"
 #include "remesh/fill_polygon.hpp"
-#include "zone/ruler.hpp"
 
 namespace meshgraft {
 namespace {
@@ -38,7 +37,7 @@ bool Editor::remove(VertexId v) {
 bool Editor::may_join_along_curve(VertexId v, const Reach& span, std::span<const Fan> fans) const {
   const double chord = length(span.before, span.after);
   const CurveId curve = mesh_.vertex(v).curve;
-  if (reference_->sagitta(curve, span.from, span.to) > kSagittaSlack * RulerOptions{}.max_sagitta * chord) return false;
+  if (!follows(curve, span.from, span.to, chord)) return false;
   std::size_t n_gaps = 0;
   for (const Fan& fan : fans) {
     const VertexId first = fan.link.front(), last = fan.link.back();

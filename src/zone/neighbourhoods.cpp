@@ -13,6 +13,7 @@ namespace meshgraft {
 namespace {
 
 constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each side of the line
+constexpr double kReach = 5.5;      // edge lengths from the junction beyond which only the user widens a zone
 constexpr double kRow = 0.866;      // width of a neighbourhood over the edge length: height of an equilateral triangle
 constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
 
@@ -48,6 +49,14 @@ int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size)
   const double own = sum / count, junction = size.junction_size(inputs.centre(i));
   if (!std::isfinite(junction)) return 1;
   return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / (kRow * own))) + 1;
+}
+
+/// Neighbourhoods of long faces reach farther than others.
+bool is_far(const InputFaces& inputs, std::uint32_t i, const SizeField& size, double reach) {
+  if (inputs.touched(i)) return false;
+  const Vec3 p = inputs.centre(i);
+  const double d = size.junction_distance(p);
+  return std::isfinite(d) && d > reach * std::max(inputs.mean_edge_length(i), size.junction_size(p));
 }
 
 /// Spreads the neighbourhoods still to take from each input face to its neighbours, most first.
@@ -101,8 +110,9 @@ class ZoneFaces {
 };
 
 /// Input faces of the first neighbourhood around `start` that has one that may be added.
-std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces& inputs, const std::vector<int>& ring,
-                                          const std::vector<std::uint8_t>& taken, int limit) {
+std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces& inputs, const SizeField& size,
+                                          const std::vector<int>& ring, const std::vector<std::uint8_t>& taken,
+                                          int limit) {
   std::vector<std::uint8_t> seen(inputs.size(), 0);
   std::vector<std::uint32_t> front{start}, next, result;
   seen[start] = 1;
@@ -112,7 +122,7 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
         if (std::exchange(seen[j], 1)) return;
         if (taken[j])
           next.push_back(j);
-        else if (ring[j] > 0 && !inputs.frozen(j) && !inputs.kept(j))
+        else if (ring[j] > 0 && !inputs.frozen(j) && !inputs.kept(j) && !is_far(inputs, j, size, limit - 0.5))
           result.push_back(j);
       });
     front = std::exchange(next, {});
@@ -139,6 +149,11 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
     zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
   }
   spread(left, inputs);
+  if (!bandwidth)
+    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+      const int needed = zone.bandwidth[inputs.component(i)] - more;
+      if (left[i] > 0 && is_far(inputs, i, size, std::max<double>(kReach, needed))) left[i] = 0;
+    }
   zone.in_zone.assign(corefined.complex.n_faces(), 0);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
     const std::uint32_t i = inputs.of(FaceId(f));
@@ -147,7 +162,7 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   return zone;
 }
 
-bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places, int limit) {
+bool widen(Zone& zone, const Corefined& corefined, const SizeField& size, std::span<const Vec3> places, int limit) {
   const InputFaces inputs(corefined);
   const std::vector<int> ring = inputs.rings(limit);
   const ZoneFaces zone_faces(corefined, zone.in_zone);
@@ -164,7 +179,7 @@ bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places,
       // A place on the junction concerns all meshes there.
       const std::uint32_t i = inputs.of(near.face);
       if (near.distance > least + 0.5 * inputs.mean_edge_length(i)) continue;
-      const auto around = addable_around(i, inputs, ring, taken, limit);
+      const auto around = addable_around(i, inputs, size, ring, taken, limit);
       more.insert(more.end(), around.begin(), around.end());
     }
   }

@@ -26,7 +26,8 @@ struct Zone {
 ///   and leaves no row of nodes that is free on both sides;
 ///   and around each touched face so many that the change of size from l_a to its own, by `gradation`
 ///   per length, fits in, plus one (beyond the paper);
-///   and `more` of them.
+///   and `more` of them, but nothing farther than 5.5 edge lengths from the junction (N, if that is more; the faces'
+///   own lengths, or those of the junction if they are longer).
 ///   Touched faces that were not cut count only if they are of the wrong size: where meshes share
 ///   their nodes already nothing needs to change (departs from 5.4, which starts from all that meet).
 ///
@@ -36,7 +37,7 @@ struct Zone {
                                   std::optional<int> bandwidth, int more = 0);
 
 /// Grows the zone by one neighbourhood around each of `places`, where the zone ends nearest to it, at most
-/// to `limit` neighbourhoods from the junction. Returns whether anything was added.
-bool widen(Zone& zone, const Corefined& corefined, std::span<const Vec3> places, int limit);
+/// to `limit` neighbourhoods, and half an edge length less than as many, from the junction. Returns whether anything was added.
+bool widen(Zone& zone, const Corefined& corefined, const SizeField& size, std::span<const Vec3> places, int limit);
 
 }  // namespace meshgraft

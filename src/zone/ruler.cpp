@@ -133,6 +133,7 @@ class Ruler {
     const auto first = std::upper_bound(arc_.begin(), arc_.end(), s0) - arc_.begin();
     for (auto i = static_cast<std::size_t>(first); i < arc_.size() && arc_[i] < s1; ++i) {
       const double away = distance(polyline_[i], closest_on_segment(polyline_[i], a, b).point);
+      if (away <= options_.slack) continue;
       const double d = chord > 0 ? away / chord : away > 0 ? std::numeric_limits<double>::infinity() : 0;
       if (d > result.share) result = {d, i};
     }

@@ -11,6 +11,7 @@ namespace meshgraft {
 
 struct RulerOptions {
   double max_sagitta = 0.07;  // share of the chord
+  double slack = 0;           // length; a chord this near to the polyline follows it, however short it is
   double gradation = 0.4;     // change of piece length per unit of length around tight bends
 };
 
@@ -25,7 +26,7 @@ struct RulerOptions {
 ///  (2) No short last piece: the number of pieces is the one for which m is nearest to 1 in ratio, so
 ///      that m is in [0.70, 1.42] on every curve with a total of at least 0.71, and nearer to 1 the more
 ///      pieces there are. A curve that ends where it starts gets at least 3 pieces.
-///  (3) A chord between two neighbours stays within `max_sagitta` x its length of the polyline. Where it
+///  (3) A chord between two neighbours stays within `max_sagitta` x its length, or `slack`, of the polyline. Where it
 ///      would not, (1) and (2) give way there: a tight bend is spaced more finely, graded; a kink gets
 ///      a node, and (1) and (2) hold on its two sides.
 ///  (4) The reversed polyline gives the reversed nodes, up to rounding.

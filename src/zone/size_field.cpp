@@ -50,6 +50,7 @@ struct SizeField::Data {
   std::vector<std::vector<SheetId>> sheets;            // by curve
   std::vector<std::vector<std::uint32_t>> components;  // by curve: of each of `sheets`
   std::vector<SheetId> kept;                           // by curve: a sheet with a kept face at it, if any
+  std::vector<double> slack;                           // by curve
   SizeLimits junction;                                 // l_a
   SizeLimits limits;                                   // l_a too
 
@@ -125,6 +126,7 @@ class Builder {
     std::vector<SizeLimit> limits = junction();
     data_.junction = SizeLimits(limits, data_.options.gradation);
     set(limits);
+    for (std::size_t c = 0; c < brep_.curves.size(); ++c) data_.slack.push_back(slack(CurveId(c)));
 
     // Each step knows the limits of the steps before it and asks for what they leave out.
     add(limits, fine_curves());
@@ -170,6 +172,14 @@ class Builder {
     return result;
   }
 
+  [[nodiscard]] double slack(CurveId c) const {
+    const Curve& curve = brep_.curves[c.value];
+    if (!curve.junction || curve.free) return 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const VertexId v : curve.chain) least = std::min(least, data_.plain_on_curve(c, complex_.position[v.value]));
+    return data_.options.junction_slack * least;
+  }
+
   /// Curves that the input divides more finely than their sheets, or that are short between corners.
   [[nodiscard]] std::vector<SizeLimit> fine_curves() const {
     std::vector<SizeLimit> result;
@@ -196,6 +206,7 @@ class Builder {
       const Curve& curve = brep_.curves[c];
       const std::vector<Vec3> p = points(curve);
       if (curve.fixed || total_turn(p) < kStraight) continue;
+      ruler.slack = data_.slack[c];
       const auto size = [&](double, Vec3 at) { return data_.on_curve(CurveId(c), at); };
       const std::vector<double> arc = arc_lengths(p), nodes = resampled(p, curve.closed, size, ruler);
       for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -247,12 +258,19 @@ SizeField::SizeField(const Complex& original, const Complex& complex, const Brep
 
 double SizeField::at(SheetId sheet, Vec3 p) const { return data_->at(sheet, p); }
 double SizeField::on_curve(CurveId curve, Vec3 p) const { return data_->on_curve(curve, p); }
+double SizeField::slack(CurveId curve) const { return data_->slack[curve.value]; }
 double SizeField::gradation() const { return data_->options.gradation; }
 
 double SizeField::junction_size(Vec3 p) const {
   constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   const auto near = data_->junction.nearest(p, kAnywhere);
   return near.found ? near.size : kAnywhere;
+}
+
+double SizeField::junction_distance(Vec3 p) const {
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  const auto near = data_->junction.nearest(p, kAnywhere);
+  return near.found ? near.distance : kAnywhere;
 }
 
 }  // namespace meshgraft

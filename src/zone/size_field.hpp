@@ -24,6 +24,9 @@ struct SizeOptions {
   double cone_floor = 0.2;                        // as gap_floor, in a narrow corner
   /// By face: 1 if it stays as it is, and with it the nodes of the junction that it has. May be empty.
   std::span<const std::uint8_t> kept = {};
+  /// How far the new edges of a junction may stand off it, share of the edge length there: the facets of curved
+  /// surfaces that meet at a small angle leave a zigzag, and its short pieces are no detail of the model.
+  double junction_slack = 0.05;
   double max_height = 0.065;  // of a node of the input over a new face: share of the edge length there
 };
 
@@ -52,6 +55,10 @@ class SizeField {
   [[nodiscard]] double on_curve(CurveId curve, Vec3 p) const;
   /// l_a near `p`: mean edge length of the touched faces of both meshes there; infinite without a junction.
   [[nodiscard]] double junction_size(Vec3 p) const;
+  /// Distance of `p` from the junction; infinite without one.
+  [[nodiscard]] double junction_distance(Vec3 p) const;
+  /// How far new edges may stand off a curve, whatever their length.
+  [[nodiscard]] double slack(CurveId curve) const;
   /// Change of size per unit of length.
   [[nodiscard]] double gradation() const;
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "complexes.hpp"
+#include "geometry/quality.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -83,6 +84,23 @@ TEST(Neighbourhoods, MeshesThatShareTheirNodesAreLeftAlone) {
   const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
   EXPECT_EQ(zone.bandwidth, (std::vector{0, 0}));
   EXPECT_EQ(std::ranges::count(zone.in_zone, 1), 0);
+}
+
+TEST(Neighbourhoods, LongFacesAreNoReasonToReachFar) {
+  // Faces three times as long across the junction as along it.
+  Model ground = scenes::plate({0, 0, 0}, {20, 0, 0}, {0, 20, 0}, 1);
+  for (Vec3& p : ground.position) p.y = 10 + 3 * (p.y - 10);
+  const Scene s = scene(std::array{ground, scenes::plate({0, 10, 0}, {20, 0, 0}, {0, 0, 10}, 1, "WALL")}, 0.8);
+  constexpr int kMore = 3;
+  const auto reach = [&](const Zone& zone) {
+    double most = 0;
+    for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+      if (zone.in_zone[f]) most = std::max(most, std::abs(centroid(s.corefined.complex.corners(FaceId(f))).y - 10));
+    return most;
+  };
+  const double length = (1 + 3 + std::sqrt(10.0)) / 3;
+  EXPECT_LE(reach(neighbourhoods(s.corefined, s.brep, s.size, std::nullopt, kMore)), 5.5 * length);
+  EXPECT_GT(reach(neighbourhoods(s.corefined, s.brep, s.size, 3 + kMore)), 5.5 * length);
 }
 
 TEST(Neighbourhoods, TheChangeOfSizeFitsIn) {
@@ -179,7 +197,7 @@ TEST(Widen, AddsOneNeighbourhoodNearThePlaceOnly) {
   Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
   const Zone before = zone;
   const Vec3 place{5, 8.1, 0};
-  ASSERT_TRUE(widen(zone, s.corefined, std::array{place}, 5));
+  ASSERT_TRUE(widen(zone, s.corefined, s.size, std::array{place}, 5));
   const auto reach = brute_force(s.corefined, 3);
   std::size_t added = 0;
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
@@ -199,7 +217,7 @@ TEST(Widen, StopsAtTheLimit) {
   const Scene s = two_plates();
   Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
   int rounds = 0;
-  while (widen(zone, s.corefined, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
+  while (widen(zone, s.corefined, s.size, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
   const auto reach = brute_force(s.corefined, 4);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) EXPECT_LE(zone.in_zone[f], reach[f]);
 }
@@ -208,7 +226,7 @@ TEST(Widen, NeverTakesFrozenFaces) {
   Scene s = two_plates();
   for (auto& state : s.corefined.complex.state) state = VertexState::kFrozen;
   Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
-  EXPECT_FALSE(widen(zone, s.corefined, std::array{Vec3{10, 9, 0}}, 8));
+  EXPECT_FALSE(widen(zone, s.corefined, s.size, std::array{Vec3{10, 9, 0}}, 8));
 }
 
 }  // namespace

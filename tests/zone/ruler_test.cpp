@@ -85,6 +85,24 @@ TEST(Ruler, KinkThatAChordWouldCutGetsANode) {
   EXPECT_EQ(nodes.size(), 9u);  // four of 0.875 on each side: nearer to 1 in ratio than three
 }
 
+TEST(Ruler, KinksWithinTheSlackGetNoNode) {
+  // Two turns of 30 degrees, 0.1 apart: as facets leave them.
+  const double a = 30 / 180.0 * std::numbers::pi, b = 2 * a;
+  std::vector<Vec3> p{{0, 0, 0}, {3.5, 0, 0}};
+  p.push_back(p.back() + 0.1 * Vec3{std::cos(a), std::sin(a), 0});
+  p.push_back(p.back() + 3.5 * Vec3{std::cos(b), std::sin(b), 0});
+  RulerOptions options;
+  const auto least = [&] {
+    const auto nodes = resampled(p, false, uniform(1), options);
+    double piece = nodes[1];
+    for (std::size_t i = 1; i < nodes.size(); ++i) piece = std::min(piece, nodes[i] - nodes[i - 1]);
+    return piece;
+  };
+  EXPECT_LT(least(), 0.15);
+  options.slack = 0.1;
+  EXPECT_GT(least(), 0.25);
+}
+
 TEST(Ruler, NoiseOfTheScaleOfRoundingAsksForNothing) {
   std::vector<Vec3> p{{0, 0, 0}, {3.3, 0, 0}, {3.3, 1e-6, 0}, {3.3 + 1e-6, 0, 0}, {10, 0, 0}};
   EXPECT_EQ(resampled(p, false, uniform(1)).size(), 11u);
