@@ -109,7 +109,7 @@ struct JunctionFault {
 ///  (7) A tolerance that would weld two sides of one component together is a fault, with their distance.
 ///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
-/// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area),
+/// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area; see find_pocket()),
 /// kDegenerateFace and kDuplicateFace (near the junction), kUsage (mode, tolerance), kJunctionNotResolved.
 [[nodiscard]] tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
                                                               const CorefineOptions& options);

@@ -11,6 +11,7 @@
 #include "intersect/open_gaps.hpp"
 #include "intersect/overlap.hpp"
 #include "intersect/overlay.hpp"
+#include "intersect/pockets.hpp"
 
 namespace meshgraft {
 namespace {
@@ -59,7 +60,11 @@ class Joiner {
       if (auto failed = meet(round, round == 0 ? exact : std::span<const std::uint8_t>{})) return failed;
       if (round == 0 && extended) settled_ = false;
     }
-    if (settled_) return std::nullopt;
+    if (settled_) {
+      auto pocket = find_pocket(complex_, active_faces(), marks_.size);
+      if (pocket) return ImprintFault{std::move(*pocket), {}};
+      return std::nullopt;
+    }
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }
 

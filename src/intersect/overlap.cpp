@@ -13,6 +13,8 @@ namespace {
 /// line, not an area. Radians.
 constexpr double kDiverging = 9.0 / 180.0 * std::numbers::pi;
 constexpr double kStrip = 3;  // snap lengths: contacts no wider than this are a line
+/// Share of the edge length: no face fits into a strip that is narrower, on either side of the line.
+constexpr double kNarrow = 0.2;
 
 bool are_flat_to_each_other(const Triangle& t, const Triangle& u, const CorefineOptions& options) {
   const double angle = std::min(options.contact_angle, kDiverging);
@@ -22,6 +24,14 @@ bool are_flat_to_each_other(const Triangle& t, const Triangle& u, const Corefine
 /// The tolerance between two faces, also where gaps are left open: an overlap is never accepted.
 double tolerance(const Meeting& m, const FacePair& p) {
   return m.rule.at(std::min(m.size[m.side[0].face(p[0]).value], m.size[m.side[1].face(p[1]).value])).feature;
+}
+
+/// Width from which two faces lie on each other. Faces that cross are within the tolerance along a strip: only if it
+/// is as wide as the new faces will be do these lie on each other.
+double least_width(const Meeting& m, const FacePair& p, const CorefineOptions& options) {
+  const double size = std::min(m.size[m.side[0].face(p[0]).value], m.size[m.side[1].face(p[1]).value]);
+  const double strip = kStrip * tolerance(m, p);
+  return options.mode == Mode::kAuto ? std::max(strip, kNarrow * size) : strip;
 }
 
 /// A corner of a clipped polygon: its place and its signed distance from the plane of the clipper.
@@ -85,7 +95,8 @@ std::optional<FacePair> find_overlap(const Meeting& m, const CorefineOptions& op
   for (const FacePair& p : m.pairs) {
     const Triangle t = m.triangle(0, p[0]), u = m.triangle(1, p[1]);
     const double gap = tolerance(m, p);
-    if (are_flat_to_each_other(t, u, options) && mean_width(part_near(u, t, gap)) > kStrip * gap) return p;
+    if (are_flat_to_each_other(t, u, options) && mean_width(part_near(u, t, gap)) > least_width(m, p, options))
+      return p;
   }
   return std::nullopt;
 }

@@ -198,6 +198,30 @@ TEST(Corefine, ATubeInsideOneFaceCutsAHoleIntoIt) {
   EXPECT_EQ(checks::faults(j.before, *j.result, options, {0.01, false}), std::vector<std::string>{});
 }
 
+/// A cap of a paraboloid over the middle of the wall, standing through it upside down with its top `deep` beneath.
+Model cap(double deep, double slope) {
+  scenes::Surface s;
+  s.at = [=](double u, double v) {
+    const double x = 6 * (u - 0.5), y = 6 * (v - 0.5);
+    return Vec3{x + 5.2, y + 5.3, slope * std::hypot(x, y) - deep};
+  };
+  s.nu = s.nv = 6;
+  return scenes::surface(s);
+}
+
+TEST(Corefine, SurfacesThatTouchInASpotSmallerThanTheirFacesAreAFaultThatSaysHowSmall) {
+  const Joined j = join({wall(), cap(0.02, 0.1)});
+  ASSERT_FALSE(j.result.has_value());
+  EXPECT_EQ(j.result.error().code, ErrorCode::kOverlap);
+  EXPECT_NE(j.result.error().what.find("by only 0.0"), std::string::npos) << j.result.error().what;
+  EXPECT_NE(j.result.error().hint.find("deeper in"), std::string::npos);
+}
+
+TEST(Corefine, SurfacesAtASmallAngleAreJoinedWhereTheSpotHoldsFaces) {
+  EXPECT_TRUE(join({wall(), cap(0.15, 0.1)}).result.has_value());
+  EXPECT_TRUE(join({wall(), cap(0.02, 1)}).result.has_value());  // a corner that comes through
+}
+
 TEST(Corefine, APartThatMeetsTheBaseInFivePlacesIsJoinedInAll) {
   std::vector<Model> feet;
   for (int k = 0; k < 5; ++k) feet.push_back(plate({1.0 + 1.7 * k, 2.2, 0}, {0, 5, 0}, {0, 0, 2}, 0.8));
