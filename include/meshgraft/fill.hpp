@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "meshgraft/merge.hpp"
@@ -29,9 +30,18 @@ struct Contour {
 /// touch in a node are contours of their own. Cost O(m log m).
 [[nodiscard]] std::vector<Contour> contours_of(const Model& model);
 
+/// Positions in contours_of() of contours that bound one opening together: an outer one and the borders of islands
+/// in it, or two ends of a pipe that lacks a piece.
+using OpeningContours = std::vector<std::size_t>;
+
+/// Each hole that is fillable, with the outer borders of pieces that stand in it: a contour within the hole, seen
+/// along its mean normal, that a straight way from the hole reaches within 20 degrees of the surface at both ends.
+/// The hole comes first. Cost: for each hole the product of its nodes and those of the borders inside its box.
+[[nodiscard]] std::vector<OpeningContours> openings_of(const Model& model, std::span<const Contour> contours);
+
 struct FillOptions {
-  /// Positions in contours_of(); empty: all that are holes and fillable.
-  std::vector<std::size_t> contours;
+  /// No contour twice; empty: openings_of().
+  std::vector<OpeningContours> openings;
   /// min_quality, size (by default that of the faces around), blend, progress. With Method::kPaper the mesh is left as
   /// the paper makes it; otherwise it is improved once the surface is known.
   MergeOptions zone;
@@ -42,16 +52,18 @@ struct FillOptions {
 ///
 ///  (1) No element and no node of the base changes.
 ///  (2) New faces are turned like those around. They have the attributes that hold along the greatest part of the
-///      contour, and are in the groups that all faces along the contour are in.
-///  (3) New nodes are in the node groups that all nodes of the contour are in, and in those that covered a group that
-///      the new faces are in.
+///      contours of their opening, and are in the groups that all faces along these are in.
+///  (3) New nodes are in the node groups that all nodes of these contours are in, and in those that covered a group
+///      that the new faces are in.
 ///  (4) Labels count on from the largest.
+///  (5) No edge gets a third face. Where new faces meet others of the model, or fold back on each other, that is a
+///      broken promise of the report.
 ///
 /// The result has one input: apply(base, {}, result) and write_unv(base, {}, result, ...). Contours left open by an
-/// empty `contours` are warnings.
+/// empty `openings` are warnings.
 ///
-/// Errors: those of merge(); kUsage if a contour is asked for that there is not, or there is none to fill;
-/// kUnsupportedElement if one is not fillable; kJunctionNotResolved, with the place, if no triangulation follows the
+/// Errors: those of merge(); kUsage if a contour is asked for that there is not, or twice, or there is none to fill;
+/// kUnsupportedElement if one is not fillable; kContourNotFilled, with the place, if no triangulation follows the
 /// surface.
 [[nodiscard]] Result<Merged> fill(const Model& base, const FillOptions& options = {});
 

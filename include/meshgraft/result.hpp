@@ -39,6 +39,7 @@ enum class ErrorCode {
   kNotSeparated,         // a tool does not cut all the way, or its sides cannot be told
   kUnsupportedElement,   // parts meet at elements that cannot be remeshed
   kJunctionNotResolved,  // the junction could not be made conforming
+  kContourNotFilled,     // no triangulation of a contour follows the surface around it
   kPromiseBroken,        // the result failed its own check
   kLabelOverflow,        // no room for new labels
   kCannotHold,           // the target format cannot hold what the model has

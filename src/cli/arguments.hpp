@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "meshgraft/cut.hpp"
+#include "meshgraft/fill.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
@@ -40,9 +41,9 @@ struct CutArguments {
 };
 
 struct FillArguments {
-  MergeArguments mesh;                // base, output and options; no parts
-  std::vector<std::size_t> contours;  // as in FillOptions
-  bool list = false;                  // only tell which there are
+  MergeArguments mesh;                    // base, output and options; no parts
+  std::vector<OpeningContours> openings;  // as in FillOptions
+  bool list = false;                      // only tell which there are
   Common common;
 };
 

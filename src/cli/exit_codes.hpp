@@ -25,6 +25,7 @@ enum ExitCode : int {
     case ErrorCode::kPartsApart:
       return kPartsDoNotMeet;
     case ErrorCode::kJunctionNotResolved:
+    case ErrorCode::kContourNotFilled:
     case ErrorCode::kPromiseBroken:
       return kPromiseNotMet;
     case ErrorCode::kCannotRead:

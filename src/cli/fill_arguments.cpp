@@ -1,6 +1,7 @@
 #include "cli/fill_arguments.hpp"
 
 #include <limits>
+#include <ranges>
 
 #include "cli/zone_options.hpp"
 
@@ -10,9 +11,11 @@ FillReader::FillReader(CLI::App& app) : CommandReader(app, "fill", "close holes 
   a_.name("FILE", out_.mesh.base, "mesh with holes (UNV)");
   add_output_options(a_);
   a_.flag("--list", out_.list, "only list the contours, with their numbers; no -o then [default: no]");
-  a_.repeated("--contour", "N|all", numbers_,
-              "contour to fill, by its number in --list; may be given several times; all: those that are holes, not "
-              "outer borders and ends of pipes [default: all]");
+  a_.repeated(
+      "--contour", "N[+N...]|all", numbers_,
+      "contour to fill, by its number in --list; 2+5: one opening between contours 2 and 5 (a hole and an island "
+      "in it, two ends of a pipe); may be given several times; all: holes, each with the islands in it, not "
+      "outer borders and ends of pipes [default: all]");
   add_method_option(a_);
   add_blend_option(a_, "");
   a_.value("--size", "LEN|auto",
@@ -38,10 +41,14 @@ Result<void> FillReader::read_own() {
 Result<void> FillReader::read_contours() {
   for (const std::string& text : numbers_) {
     if (text == "all" && numbers_.size() == 1) return {};
-    const auto n = integer_in({"--contour", text}, 1, std::numeric_limits<int>::max(),
-                              "the number of a contour in --list, or all by itself");
-    if (!n) return Failure(n.error());
-    out_.contours.push_back(static_cast<std::size_t>(*n) - 1);
+    OpeningContours& opening = out_.openings.emplace_back();
+    for (const auto part : std::views::split(text, '+')) {
+      const auto n =
+          integer_in({"--contour", std::string(part.begin(), part.end())}, 1, std::numeric_limits<int>::max(),
+                     "the number of a contour in --list, several with + between them, or all by itself");
+      if (!n) return Failure(n.error());
+      opening.push_back(static_cast<std::size_t>(*n) - 1);
+    }
   }
   return {};
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "cli/commands.hpp"
 #include "cli/mesh_command.hpp"
 #include "cli/print.hpp"
@@ -19,10 +21,14 @@ ExitCode list(const FillArguments& arguments) {
   if (!model) return failed(model.error());
   print_warnings(model->warnings, arguments.common.talk);
   const std::vector<Contour> contours = contours_of(*model);
+  std::vector<std::optional<std::size_t>> around(contours.size());  // the hole in which a contour stands
+  for (const OpeningContours& opening : openings_of(*model, contours))
+    for (std::size_t k = 1; k < opening.size(); ++k) around[opening[k]] = opening.front();
   for (std::size_t k = 0; k < contours.size(); ++k) {
     const Contour& c = contours[k];
     print_line(fmt::format("contour {}", k + 1),
-               fmt::format("{}; {} nodes from node {}, length {}, around ({}, {}, {})", kind_of(c), c.nodes.size(),
+               fmt::format("{}{}; {} nodes from node {}, length {}, around ({}, {}, {})", kind_of(c),
+                           around[k] ? fmt::format(", within contour {}", *around[k] + 1) : "", c.nodes.size(),
                            model->node_label[c.nodes.front().value], figure(c.length), figure(c.centre.x),
                            figure(c.centre.y), figure(c.centre.z)));
   }
@@ -39,7 +45,7 @@ ExitCode run(const FillArguments& arguments) {
   MeshCommand command;
   command.inputs = {{"FILE", arguments.mesh.base}};
   command.run = [&](std::span<const Model> inputs, const Stopwatch::Progress& progress) {
-    FillOptions options{arguments.contours, arguments.mesh.options};
+    FillOptions options{arguments.openings, arguments.mesh.options};
     options.zone.progress = progress;
     return fill(inputs[0], options);
   };

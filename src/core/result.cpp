@@ -48,6 +48,8 @@ const char* name(ErrorCode code) {
       return "unsupported-element";
     case ErrorCode::kJunctionNotResolved:
       return "junction-not-resolved";
+    case ErrorCode::kContourNotFilled:
+      return "contour-not-filled";
     case ErrorCode::kPromiseBroken:
       return "promise-broken";
     case ErrorCode::kLabelOverflow:

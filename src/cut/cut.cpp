@@ -18,6 +18,7 @@
 #include "merge/compatibility.hpp"
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"
+#include "merge/ground.hpp"
 #include "merge/unsupported.hpp"
 #include "search/workpiece.hpp"
 #include "zone/ruler.hpp"
@@ -145,7 +146,6 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   Merged merged;
   Report& report = merged.report;
   Graft& graft = merged.graft;
-  report.version = MESHGRAFT_VERSION;
   Stopwatch watch(options.zone.progress);
 
   watch.start("search", 0);
@@ -154,15 +154,11 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   const std::vector<const Model*> inputs{&base}, with_tool{&base, &tool->model};
   if (const auto ok = check_meeting_elements(with_tool, one_for_each_input(2), options.zone.tolerance); !ok)
     return Failure(ok.error());
-  report.inputs.push_back(counts_of(base));
-  append(report.warnings, std::vector(base.warnings));
+  Ground ground(inputs, merged);
   if (const auto* model = std::get_if<const Model*>(&from)) report.inputs.push_back(counts_of(**model));
-  const GroupTable table = group_table(inputs);
-  graft.groups = table.groups;
-  SetTranslation translated(inputs, table, graft.group_sets);
 
   watch.start("intersect", 0.2);
-  auto incision = incise(base, *tool, options, table, graft.group_sets);
+  auto incision = incise(base, *tool, options, ground.table, graft.group_sets);
   if (!incision) return Failure(incision.error());
   report.dropped = std::move(incision->entries);
   append(report.warnings, std::move(incision->elements.warnings));
@@ -176,7 +172,8 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   dropped.slack = slack_of(zone.remeshed.complex, junction);
 
   const Components components = one_for_each_input(1);
-  const Operation operation{inputs, components, incision->original, corefined, zone, dropped, translated, options.zone};
+  const Operation operation{inputs, components, incision->original, corefined,
+                            zone,   dropped,    ground.translated,  options.zone};
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   report.junction = polylines_of(zone.remeshed.complex, junction, components);
   for (PolylineSummary& line : report.junction) line.kind = "cut";

@@ -22,68 +22,81 @@ double side_length(const Complex& c, const Rim& rim, std::size_t k) {
   return distance(c.position[a.value], c.position[b.value]);
 }
 
-/// Area vector of the polygon through the vertices.
-Vec3 area_of(const Complex& c, const Rim& rim) {
-  Vec3 sum;
-  const Vec3 origin = c.position[rim.vertices.front().value];
-  for (std::size_t k = 0; k < rim.vertices.size(); ++k)
-    sum += 0.5 * cross(c.position[rim.vertices[k].value] - origin,
-                       c.position[rim.vertices[(k + 1) % rim.vertices.size()].value] - origin);
+double length_of(const Complex& c, const Hole& hole) {
+  double sum = 0;
+  for (const Rim& rim : hole)
+    for (std::size_t k = 0; k < rim.vertices.size(); ++k) sum += side_length(c, rim, k);
   return sum;
 }
 
-/// Normals at the vertices of a rim, and whether all faces there lie in one plane with it.
+/// Area vector of the polygons through the vertices.
+Vec3 area_of(const Complex& c, const Hole& hole) {
+  Vec3 sum;
+  const Vec3 origin = c.position[hole.front().vertices.front().value];
+  for (const Rim& rim : hole)
+    for (std::size_t k = 0; k < rim.vertices.size(); ++k)
+      sum += 0.5 * cross(c.position[rim.vertices[k].value] - origin,
+                         c.position[rim.vertices[(k + 1) % rim.vertices.size()].value] - origin);
+  return sum;
+}
+
+/// Normals at the vertices of a hole, and whether all faces there lie in one plane with it.
 struct RimNormals {
   std::map<VertexId, Vec3> at;
   bool planar = true;
 
-  RimNormals(const Complex& c, const VertexFaces& faces_at, const Rim& rim) {
-    const Vec3 plane = normalized(area_of(c, rim)), origin = c.position[rim.vertices.front().value];
-    double length = 0;
-    for (std::size_t k = 0; k < rim.vertices.size(); ++k) length += side_length(c, rim, k);
-    for (const VertexId v : rim.vertices) {
-      Vec3 sum;
-      for (const FaceId f : faces_at[v]) {
-        sum += area_vector(c.corners(f));
-        for (const Vec3 p : c.corners(f)) planar = planar && std::abs(dot(p - origin, plane)) <= kFlatHeight * length;
+  RimNormals(const Complex& c, const VertexFaces& faces_at, const Hole& hole) {
+    const Vec3 across = area_of(c, hole), plane = normalized(across);
+    const Vec3 origin = c.position[hole.front().vertices.front().value];
+    const double length = length_of(c, hole);
+    planar = norm(across) > kFlatHeight * length * length;  // the ends of a pipe cancel each other
+    for (const Rim& rim : hole)
+      for (const VertexId v : rim.vertices) {
+        Vec3 sum;
+        for (const FaceId f : faces_at[v]) {
+          sum += area_vector(c.corners(f));
+          for (const Vec3 p : c.corners(f)) planar = planar && std::abs(dot(p - origin, plane)) <= kFlatHeight * length;
+        }
+        at[v] = normalized(sum);
       }
-      at[v] = normalized(sum);
-    }
     if (planar)
       for (auto& [v, n] : at) n = plane;
   }
 };
 
-/// The faces that close one rim; the surface is followed as far as that is possible.
-std::optional<OpeningFill> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
-                                  const Rim& rim) {
-  const RimNormals normals(c, faces_at, rim);
-  const Vec3 across = normalized(area_of(c, rim));
+/// The faces that close a hole; the surface is followed as far as that is possible.
+tl::expected<OpeningFill, std::string> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
+                                              const Hole& hole) {
+  const RimNormals normals(c, faces_at, hole);
+  const Vec3 across = normalized(area_of(c, hole));
   Opening opening;
-  opening.contours = {rim.vertices};
+  for (const Rim& rim : hole) opening.contours.push_back(rim.vertices);
   opening.planar = normals.planar;
   opening.position = [&](VertexId v) { return c.position[v.value]; };
   opening.normal = [&](VertexId v) { return normals.at.at(v); };
   opening.has_edge = [&](VertexId a, VertexId b) { return edges.find(a, b).valid(); };
   OpeningOptions options;
-  if (auto fill = fill_opening(opening, options)) return *fill;
+  const auto along = fill_opening(opening, options);
+  if (along) return along;
   opening.normal = [&](VertexId) { return across; };  // a cap: the end of a pipe, a rim that is folded
   for (const double least_cosine : {options.least_cosine, 0.0}) {
     options.least_cosine = least_cosine;
-    if (auto fill = fill_opening(opening, options)) return *fill;
+    if (auto fill = fill_opening(opening, options)) return fill;
   }
-  return std::nullopt;
+  return along;
 }
 
-/// The face of a rim whose attributes hold along the greatest part of it.
-FaceId typical_face(const Complex& c, const Rim& rim) {
+/// The face of a hole's rims whose attributes hold along the greatest part of them.
+FaceId typical_face(const Complex& c, const Hole& hole) {
   std::map<std::pair<AttributesId, std::uint32_t>, double> length;
   const auto key = [&](FaceId f) { return std::pair{c.face_attributes[f.value], c.component[f.value]}; };
-  for (std::size_t k = 0; k < rim.faces.size(); ++k) length[key(rim.faces[k])] += side_length(c, rim, k);
+  for (const Rim& rim : hole)
+    for (std::size_t k = 0; k < rim.faces.size(); ++k) length[key(rim.faces[k])] += side_length(c, rim, k);
   const auto most = std::ranges::max_element(length, {}, [](const auto& entry) { return entry.second; });
   FaceId best;
-  for (const FaceId f : rim.faces)
-    if (key(f) == most->first && (!best.valid() || c.parent[f.value] < c.parent[best.value])) best = f;
+  for (const Rim& rim : hole)
+    for (const FaceId f : rim.faces)
+      if (key(f) == most->first && (!best.valid() || c.parent[f.value] < c.parent[best.value])) best = f;
   return best;
 }
 
@@ -173,21 +186,22 @@ struct Workshop {
 
 }  // namespace
 
-tl::expected<Patched, std::size_t> patched(const Complex& around, std::span<const Rim> rims, GroupSets& groups) {
+tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes, GroupSets& groups) {
   const VertexFaces faces_at(around);
   const EdgeTable edges(around);
   Patched p;
   p.complex = around, p.n_around = around.n_faces();
-  for (std::size_t r = 0; r < rims.size(); ++r) {
-    const auto fill = closed(around, faces_at, edges, rims[r]);
-    if (!fill) return tl::unexpected(r);
-    const FaceId like = typical_face(around, rims[r]);
+  for (std::size_t h = 0; h < holes.size(); ++h) {
+    const auto fill = closed(around, faces_at, edges, holes[h]);
+    if (!fill) return tl::unexpected(NotClosed{h, fill.error()});
+    const FaceId like = typical_face(around, holes[h]);
     GroupSetId common = around.face_groups[like.value];
-    for (const FaceId f : rims[r].faces) common = groups.intersect(common, around.face_groups[f.value]);
+    for (const Rim& rim : holes[h])
+      for (const FaceId f : rim.faces) common = groups.intersect(common, around.face_groups[f.value]);
     for (const auto& v : fill->faces) {
       const FaceId f = p.complex.add_face(v, around, like);
       p.complex.face_groups[f.value] = common;
-      p.patch.push_back(static_cast<std::uint32_t>(r));
+      p.patch.push_back(static_cast<std::uint32_t>(h));
     }
   }
   p.in_zone.assign(p.complex.n_faces(), 1);
@@ -195,7 +209,7 @@ tl::expected<Patched, std::size_t> patched(const Complex& around, std::span<cons
   return p;
 }
 
-Sizing rim_sizing(const Complex& around, std::span<const Rim> rims, std::optional<double> size) {
+Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size) {
   if (size) return {[s = *size](SheetId, Vec3) { return s; }, [s = *size](CurveId, Vec3) { return s; }};
   struct Sample {
     Vec3 at;
@@ -203,12 +217,13 @@ Sizing rim_sizing(const Complex& around, std::span<const Rim> rims, std::optiona
   };
   std::vector<Sample> samples;
   const VertexFaces faces_at(around);
-  for (const Rim& rim : rims)
-    for (const VertexId v : rim.vertices) {
-      double sum = 0;
-      for (const FaceId f : faces_at[v]) sum += mean_edge_length(around.corners(f));
-      samples.push_back({around.position[v.value], sum / static_cast<double>(faces_at[v].size())});
-    }
+  for (const Hole& hole : holes)
+    for (const Rim& rim : hole)
+      for (const VertexId v : rim.vertices) {
+        double sum = 0;
+        for (const FaceId f : faces_at[v]) sum += mean_edge_length(around.corners(f));
+        samples.push_back({around.position[v.value], sum / static_cast<double>(faces_at[v].size())});
+      }
   const auto mean = [samples = std::move(samples)](Vec3 p) {
     double sum = 0, weight = 0;
     for (const Sample& s : samples) {

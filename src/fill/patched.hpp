@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/complex.hpp"
@@ -17,6 +18,9 @@ struct Rim {
   std::vector<FaceId> faces;       // of the side to the next vertex
 };
 
+/// An opening, by the rims that bound it together.
+using Hole = std::vector<Rim>;
+
 /// Faces are those around, then the patches.
 struct Patched {
   Complex complex;
@@ -25,15 +29,19 @@ struct Patched {
   std::vector<std::uint8_t> in_zone;  // by face: it is of a patch
 };
 
-/// Closes the rims with as few faces as possible. Each patch takes its attributes from the face that stands for the
-/// greatest part of the rim, and the groups that all faces of the rim share.
-///
-/// Nothing, and the position of the rim, if one cannot be closed along the surface.
-[[nodiscard]] tl::expected<Patched, std::size_t> patched(const Complex& around, std::span<const Rim> rims,
-                                                         GroupSets& groups);
+/// A hole that cannot be closed along the surface, and why.
+struct NotClosed {
+  std::size_t hole = 0;
+  std::string why;
+};
 
-/// Edge lengths of a patch: those of the faces around its rim, the near ones counting most; or `size`.
-[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Rim> rims, std::optional<double> size);
+/// Closes the holes with as few faces as possible. Each patch takes its attributes from the face that stands for the
+/// greatest part of its rims, and the groups that all faces of these share.
+[[nodiscard]] tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes,
+                                                       GroupSets& groups);
+
+/// Edge lengths of a patch: those of the faces around its rims, the near ones counting most; or `size`.
+[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size);
 
 /// Gives patches the density of `sizing` and the shape that continues what is around (paper 5.6). With
 /// Method::kAdaptive the mesh is improved on that surface afterwards.

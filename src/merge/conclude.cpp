@@ -41,6 +41,14 @@ std::vector<BadFace> bad_faces(const Remeshed& remeshed, const LaidOut& laid_out
   return all;
 }
 
+/// Areas that the method left as they were cut.
+void tell(std::span<const Unfilled> unfilled, Report& report) {
+  for (const Unfilled& u : unfilled)
+    report.warnings.push_back({name(ErrorCode::kContourNotFilled),
+                               "the area around " + text_of(u.at) + " is left as it was cut: " + u.why,
+                               {}});
+}
+
 /// Everything that can be said against the result, and the figures that go with it.
 void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation& translated,
            const MergeOptions& options, Report& report) {
@@ -86,6 +94,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
                   graft,  merged.labels, dropped,  all_layers};
   outcome.fills = fills;
   summarise(outcome, report);
+  tell(zone.unfilled, report);
   judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
   Dropped overlaid = dropped;
   add_losses(corefined, final_complex, all_layers, translated, graft, overlaid);

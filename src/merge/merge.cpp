@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/summary.hpp"
 #include "merge/compatibility.hpp"
 #include "merge/components.hpp"
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"
-#include "merge/group_table.hpp"
+#include "merge/ground.hpp"
 #include "merge/overlaps.hpp"
 #include "merge/remesh_zone.hpp"
 #include "merge/report_summary.hpp"
@@ -20,11 +19,6 @@
 
 namespace meshgraft {
 namespace {
-
-template <class T>
-void append(std::vector<T>& to, std::vector<T> from) {
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
 
 /// What was to be joined and meets nothing: an error, or a warning if the user allows it.
 Result<void> check_parts_meet(Inputs inputs, const Components& components, const Corefined& corefined,
@@ -42,18 +36,11 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   Merged merged;
   Report& report = merged.report;
   Graft& graft = merged.graft;
-  report.version = MESHGRAFT_VERSION;
   Stopwatch watch(options.progress);
 
   watch.start("search", 0);
   if (const auto ok = check_compatible(inputs, options); !ok) return Failure(ok.error());
-  for (const Model* model : inputs) {
-    report.inputs.push_back(counts_of(*model));
-    append(report.warnings, std::vector(model->warnings));
-  }
-  GroupTable table = group_table(inputs);
-  graft.groups = table.groups;
-  SetTranslation translated(inputs, table, graft.group_sets);
+  Ground ground(inputs, merged);
   SearchOptions search_options;
   search_options.tolerance = options.tolerance;
   const Result<Components> components = components_of(inputs, options);
@@ -66,7 +53,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
   if (options.trim) workpiece_options.least = *options.trim;
   const Complex original =
-      workpiece(inputs, *components, candidates, table.of_input, graft.group_sets, workpiece_options);
+      workpiece(inputs, *components, candidates, ground.table.of_input, graft.group_sets, workpiece_options);
 
   watch.start("intersect", 0.2);  // paper 5.1, 5.2
   CorefineOptions corefine_options;
@@ -84,7 +71,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
 
   watch.start("remesh", 0.3);  // paper 5.3 to 5.6
   const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
-  const Operation operation{inputs, *components, original, *corefined, zone, dropped, translated, options};
+  const Operation operation{inputs, *components, original, *corefined, zone, dropped, ground.translated, options};
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   return merged;
 }

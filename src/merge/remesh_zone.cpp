@@ -7,7 +7,6 @@
 
 #include "geometry/quality.hpp"
 #include "merge/quality_summary.hpp"
-#include "patch/paper_method.hpp"
 #include "patch/paper_zone.hpp"
 #include "zone/brep.hpp"
 #include "zone/neighbourhoods.hpp"
@@ -90,7 +89,8 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   if (options.method == Method::kPaper) {
     const Zone zone =
         options.bandwidth ? neighbourhoods(corefined, brep, size, options.bandwidth) : paper_zone(corefined);
-    return {remesh_by_paper(complex, brep, size, zone.in_zone, groups, options.blend, remesh_options), zone.bandwidth};
+    RemeshedByPaper paper = remesh_by_paper(complex, brep, size, zone.in_zone, groups, options.blend, remesh_options);
+    return {std::move(paper.remeshed), zone.bandwidth, 0, std::move(paper.unfilled)};
   }
   const auto attempt = [&](Zone zone) {
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);

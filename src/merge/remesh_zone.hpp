@@ -7,6 +7,7 @@
 #include "core/complex.hpp"
 #include "intersect/corefine.hpp"
 #include "meshgraft/options.hpp"
+#include "patch/paper_method.hpp"
 #include "remesh/remesh.hpp"
 
 namespace meshgraft {
@@ -30,8 +31,9 @@ struct WidenLimits {
 
 struct RemeshedZone {
   Remeshed remeshed;
-  std::vector<int> bandwidth;  // by component
-  int widened = 0;             // times the zone was grown
+  std::vector<int> bandwidth;           // by component
+  int widened = 0;                      // times the zone was grown
+  std::vector<Unfilled> unfilled = {};  // Method::kPaper
 };
 
 /// Paper 5.3 to 5.6: curves and sheets are read, sizes set, neighbourhoods chosen and remeshed;

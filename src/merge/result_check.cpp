@@ -83,7 +83,8 @@ class ResultCheck {
   void intersections() {
     const auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
     if (pairs.empty()) return;
-    const std::vector<ParentPair> excused = met_before();
+    // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
+    const std::vector<ParentPair> excused = outcome_.fills ? std::vector<ParentPair>{} : met_before();
     Findings findings(errors_, limits_.max_listed);
     std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)

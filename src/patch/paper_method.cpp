@@ -33,8 +33,8 @@ bool is_elsewhere(const LocalMesh& mesh, const Region& region, VertexId a, Verte
                              [&](FaceId f) { return !std::ranges::binary_search(region.faces, f); });
 }
 
-/// The filling of a region as faces of the working mesh; empty if there is none.
-std::vector<LocalFace> filled(const LocalMesh& mesh, const Region& region) {
+/// The filling of a region as faces of the working mesh, or why there is none.
+tl::expected<std::vector<LocalFace>, std::string> filled(const LocalMesh& mesh, const Region& region) {
   const std::map<VertexId, Vec3> normals = normals_of(mesh, region);
   Opening opening;
   opening.contours = region.contours;
@@ -43,7 +43,7 @@ std::vector<LocalFace> filled(const LocalMesh& mesh, const Region& region) {
   opening.normal = [&](VertexId v) { return normals.at(v); };
   opening.has_edge = [&](VertexId a, VertexId b) { return is_elsewhere(mesh, region, a, b); };
   const auto filling = fill_opening(opening);
-  if (!filling) return {};
+  if (!filling) return tl::unexpected(filling.error());
 
   std::map<Way, CurveId> curve;
   for (std::size_t c = 0; c < region.contours.size(); ++c)
@@ -62,26 +62,37 @@ std::vector<LocalFace> filled(const LocalMesh& mesh, const Region& region) {
   return faces;
 }
 
+/// The centroid of the largest face.
+Vec3 middle_of(const LocalMesh& mesh, const Region& region) {
+  const FaceId largest = *std::ranges::max_element(region.faces, {}, [&](FaceId f) { return area(mesh.corners(f)); });
+  return centroid(mesh.corners(largest));
+}
+
 }  // namespace
 
-Remeshed remesh_by_paper(const Complex& complex, const Brep& brep, const SizeField& size,
-                         const std::vector<std::uint8_t>& in_zone, GroupSets& groups, Blend blend,
-                         const RemeshOptions& options) {
+RemeshedByPaper remesh_by_paper(const Complex& complex, const Brep& brep, const SizeField& size,
+                                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, Blend blend,
+                                const RemeshOptions& options) {
   const Sizing sizing = sizing_of(size);
   Editor editor(complex, brep, in_zone, sizing, options);
   resample_curves(editor, complex, brep, sizing);
   std::vector<std::uint8_t> is_filled(brep.sheets.size(), 0);
+  RemeshedByPaper result;
   for (const Region& region : regions_of(editor.mesh())) {
-    const std::vector<LocalFace> faces = filled(editor.mesh(), region);
-    if (faces.empty()) continue;
-    editor.replace(region.faces, faces);
+    const auto faces = filled(editor.mesh(), region);
+    if (!faces) {
+      result.unfilled.push_back({middle_of(editor.mesh(), region), faces.error()});
+      continue;
+    }
+    editor.replace(region.faces, *faces);
     is_filled[region.sheet.value] = 1;
   }
   refine(editor, is_filled);
   BlendOptions blend_options;
   blend_options.blend = blend;
   blend_filled(editor, complex, is_filled, blend_options);
-  return to_remeshed(editor, complex, brep, in_zone, groups);
+  result.remeshed = to_remeshed(editor, complex, brep, in_zone, groups);
+  return result;
 }
 
 }  // namespace meshgraft

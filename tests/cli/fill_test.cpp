@@ -56,12 +56,37 @@ TEST(Fill, WritesTheFilledMeshAndSummarises) {
   EXPECT_EQ(after.substr(0, end), before.substr(0, end));
 }
 
+TEST(Fill, JoinsAnIslandToWhatIsAround) {
+  const Folder folder;
+  put_holed(folder);
+  ASSERT_EQ(
+      folder.run({"cut", "base.unv", "--box", "0.42,0.44,-1,0.52,0.53,1", "--drop", "outside", "-o", "island.unv"})
+          .code,
+      0);
+  ASSERT_EQ(folder.run({"merge", "holed.unv", "island.unv", "--allow-apart", "-o", "both.unv"}).code, 4);  // apart
+  const Outcome listed = folder.run({"fill", "both.unv", "--list"});
+  EXPECT_NE(listed.out.find("within contour 2"), std::string::npos) << listed.out;
+  for (const char* contours : {"all", "2+3"}) {
+    const Outcome outcome = folder.run({"fill", "both.unv", "--contour", contours, "-o", "out.unv"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err.find("[island]") != std::string::npos, contours == std::string("all")) << outcome.err;
+    EXPECT_EQ(folder.run({"check", "-q", "out.unv"}).code, 0);
+    EXPECT_NEAR(area(folder, "out.unv"), area(folder, "base.unv"), 1e-9);
+  }
+  EXPECT_EQ(folder.run({"fill", "both.unv", "--contour", "2", "-o", "alone.unv"}).code, 1);  // over the island
+  EXPECT_FALSE(folder.has("alone.unv"));
+}
+
 TEST(Fill, RefusesWhatCannotBe) {
   const Folder folder;
   put_holed(folder);
   for (const std::vector<std::string>& extra : {std::vector<std::string>{"--contour", "7"},
                                                 {"--contour", "0"},
                                                 {"--contour", "x"},
+                                                {"--contour", "1+"},
+                                                {"--contour", "1+1"},
+                                                {"--contour", "1", "--contour", "2+1"},
+                                                {"--contour", "1+9"},
                                                 {"--blend", "smooth"},
                                                 {"--contour", "all", "--contour", "2"},
                                                 {"--size", "-1"}}) {
