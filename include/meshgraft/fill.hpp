@@ -56,8 +56,8 @@ struct FillOptions {
 ///  (3) New nodes are in the node groups that all nodes of these contours are in, and in those that covered a group
 ///      that the new faces are in.
 ///  (4) Labels count on from the largest.
-///  (5) No edge gets a third face. Where new faces meet others of the model, or fold back on each other, that is a
-///      broken promise of the report.
+///  (5) No edge gets a third face. Where new faces meet other surface elements of the model, or fold back on each
+///      other, that is a broken promise of the report.
 ///
 /// The result has one input: apply(base, {}, result) and write_unv(base, {}, result, ...). Contours left open by an
 /// empty `openings` are warnings.

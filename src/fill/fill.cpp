@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/components.hpp"
-#include "fill/folds.hpp"
+#include "fill/flaws.hpp"
 #include "fill/patched.hpp"
 #include "geometry/quality.hpp"
 #include "merge/compatibility.hpp"
@@ -221,11 +221,8 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
   operation.fills = true;
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
-  for (const Vec3 at : folds(zone.remeshed.complex, around.n_faces()))
-    report.broken_promises.push_back({ErrorCode::kPromiseBroken,
-                                      "the filling is folded back on itself at " + text_of(at),
-                                      "fill it in smaller parts, or with another --blend",
-                                      {base.path, 0}});
+  for (Error& flaw : flaws_of(base, zone.remeshed.complex, around.n_faces(), options.zone.tolerance))
+    report.broken_promises.push_back(std::move(flaw));
   report.junction = summaries(all, *openings);
   return merged;
 }

@@ -14,6 +14,7 @@
 
 #include "geometry/quality.hpp"
 #include "meshgraft/check.hpp"
+#include "support/known_surfaces.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -180,7 +181,7 @@ TEST(Fill, AnIslandInAHoleIsJoinedToWhatIsAround) {
     FillOptions alone;  // over the island: that must not be silent
     alone.openings = {{1}};
     const std::vector<std::string> faults = broken(made(holed, alone).report);
-    EXPECT_TRUE(std::ranges::any_of(faults, [](const auto& f) { return f.find("intersect") != std::string::npos; }));
+    EXPECT_TRUE(std::ranges::any_of(faults, [](const auto& f) { return f.find("lies on") != std::string::npos; }));
   }
 }
 
@@ -190,6 +191,25 @@ TEST(Fill, APlateOverAHoleIsNoIsland) {
   const Model base = scenes::together(both);
   for (const OpeningContours& opening : openings_of(base, contours_of(base))) EXPECT_EQ(opening.size(), 1u);
   EXPECT_EQ(broken(made(base).report), std::vector<std::string>{});
+}
+
+TEST(Fill, AFillingThatCrossesOtherElementsIsNoSecret) {
+  const Model holed = without_faces(scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1), within({0.5, 0.5, 0}, 0.35));
+  const auto faults_with = [&](const Model& other) {
+    const std::vector<Model> both{holed, other};
+    return broken(made(scenes::together(both)).report);
+  };
+  const auto tells = [](const std::vector<std::string>& faults, const char* word) {
+    return std::ranges::any_of(faults, [&](const auto& f) { return f.find(word) != std::string::npos; });
+  };
+  const Model wall = scenes::plate({0.4, 0.5, -0.1}, {0.2, 0, 0}, {0, 0, 0.23}, 0.1);
+  EXPECT_TRUE(tells(faults_with(wall), "intersect"));
+  ModelBuilder quad;
+  std::vector<NodeId> v;
+  for (const Vec3 p : {Vec3{0.4, 0.5, -0.1}, {0.6, 0.5, -0.1}, {0.6, 0.5, 0.1}, {0.4, 0.5, 0.1}})
+    v.push_back(quad.add_node(p));
+  quad.add_element({.shape = Shape::kQuad, .type = 94}, v);
+  EXPECT_TRUE(tells(faults_with(quad.build()), "crosses element"));
 }
 
 TEST(Fill, AnIslandThatTouchesTheRimInANodeIsOneContourWithIt) {
@@ -347,90 +367,34 @@ TEST(FillLaws, NothingIsWrongInSilenceOnCurvedSurfaces) {
   }));
 }
 
-struct Known {
-  const char* name;
-  std::function<Model(double size)> model;
-  Vec3 centre;  // of the hole
-  std::function<double(Vec3)> distance;
-};
-
-std::vector<Known> known_surfaces() {
-  const auto grid = [](std::function<Vec3(double, double)> at, double half) {
-    return [=](double size) {
-      scenes::Surface s;
-      s.at = [=](double u, double v) { return at(half * (2 * u - 1), half * (2 * v - 1)); };
-      s.nu = s.nv = static_cast<std::size_t>(std::lround(2 * half / size));
-      s.jitter = 0.15;
-      return scenes::surface(s);
-    };
-  };
-  const auto saddle_height = [](double x, double y) { return 0.4 * (x * x - y * y) + 0.1 * x * x * x; };
-  return {
-      {"SphereCap",
-       [](double size) {
-         return scenes::sphere({0, 0, 0}, 1, std::size_t(std::lround(1.2 / size)));
-       },
-       {0, 0, 1},
-       [](Vec3 p) { return std::abs(norm(p) - 1); }},
-      {"Cylinder",
-       grid(
-           [](double u, double v) {
-             return Vec3{std::sin(u), v, std::cos(u)};
-           },
-           1.2),
-       {0, 0, 1},
-       [](Vec3 p) { return std::abs(std::hypot(p.x, p.z) - 1); }},
-      {"Torus",
-       grid(
-           [](double u, double v) {
-             const double r = 2 + std::cos(v);
-             return Vec3{r * std::sin(u / 3), std::sin(v), r * std::cos(u / 3)};
-           },
-           1.2),
-       {0, 0, 3},
-       [](Vec3 p) { return std::abs(std::hypot(std::hypot(p.x, p.z) - 2, p.y) - 1); }},
-      {"Saddle",
-       grid(
-           [=](double u, double v) {
-             return Vec3{u, v, saddle_height(u, v)};
-           },
-           1.2),
-       {0, 0, 0},
-       [=](Vec3 p) { return std::abs(p.z - saddle_height(p.x, p.y)); }},
-  };
-}
-
 class KnownSurface : public testing::TestWithParam<std::size_t> {};
 
-/// Removed and filled again over three edges around the centre, at three sizes.
+const std::vector<scenes::KnownSurface>& known_surfaces() {
+  static const std::vector<scenes::KnownSurface> all = scenes::known_surfaces();
+  return all;
+}
+
+/// Removed and filled again over three edges around the centre, at three sizes: a surface that meets the true one with
+/// its derivatives up to order k is within h^(k + 2) of it, and its normals within h^(k + 1).
 TEST_P(KnownSurface, ComesBackWithTheOrderOfTheContinuity) {
-  const Known known = known_surfaces()[GetParam()];
+  const scenes::KnownSurface& known = known_surfaces()[GetParam()];
   constexpr double kSlack = 0.7;  // of the order, for three irregular meshes whose holes are not alike
   for (const Blend blend : {Blend::kPosition, Blend::kTangency, Blend::kCurvature}) {
-    std::vector<double> error;
-    for (const double size : {0.12, 0.06, 0.03}) {
-      const Model holed = without_faces(known.model(size), within(known.centre, 3 * size));
-      const auto contours = contours_of(holed);
-      FillOptions options;
-      options.zone.blend = blend;
-      for (std::size_t k = 0; k < contours.size(); ++k)
-        if (contours[k].is_hole) options.openings.push_back({k});
-      ASSERT_EQ(options.openings.size(), 1u);
-      const Merged m = made(holed, options);
-      EXPECT_EQ(broken(m.report), std::vector<std::string>{});
-      EXPECT_EQ(broken_laws(holed, m), "");
-      double worst = 0;
-      for (const NewNode& n : m.graft.new_nodes) worst = std::max(worst, known.distance(n.position));
-      error.push_back(worst);
+    std::vector<scenes::Refill> refills;
+    for (const double size : scenes::kRefillSizes) {
+      refills.push_back(scenes::refilled(known, size, blend).value());
+      EXPECT_EQ(broken(refills.back().merged.report), std::vector<std::string>{});
+      EXPECT_EQ(broken_laws(refills.back().holed, refills.back().merged), "");
     }
-    const double order = std::log2(error[0] / error[2]) / 2;
-    EXPECT_GE(order, static_cast<int>(blend) + 2 - kSlack)
-        << "continuity " << static_cast<int>(blend) << ": " << error[0] << " " << error[1] << " " << error[2];
+    const int k = static_cast<int>(blend);
+    const auto order = [&](double scenes::Refill::*error) { return scenes::order_of(refills, error); };
+    EXPECT_GE(order(&scenes::Refill::distance), k + 2 - kSlack) << "continuity " << k;
+    EXPECT_GE(order(&scenes::Refill::normal), k + 1 - kSlack) << "continuity " << k;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, KnownSurface, testing::Range(std::size_t{0}, known_surfaces().size()),
-                         [](const auto& surface) { return std::string(known_surfaces()[surface.param].name); });
+                         [](const auto& surface) { return known_surfaces()[surface.param].name; });
 
 }  // namespace
 }  // namespace meshgraft

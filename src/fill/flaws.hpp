@@ -1,0 +1,21 @@
+// What is wrong with a filling, beyond the checks of every result.
+#pragma once
+
+#include <vector>
+
+#include "core/complex.hpp"
+#include "meshgraft/model.hpp"
+#include "meshgraft/options.hpp"
+
+namespace meshgraft {
+
+/// Errors kPromiseBroken, one for each kind, if faces of `complex` from `first` on
+///   - make more than 90 degrees with a neighbour among them: the filling is folded back;
+///   - lie on a surface element of `base` within the tolerance: no sign of coordinates that are rounded tells that they
+///     meet;
+///   - cross a surface element that is no linear triangle.
+/// Cost: one look at each element of the base.
+[[nodiscard]] std::vector<Error> flaws_of(const Model& base, const Complex& complex, std::size_t first,
+                                          const Tolerance& tolerance);
+
+}  // namespace meshgraft
