@@ -60,7 +60,7 @@ validation:
 	validation/run build/release build/validation
 
 method: build/release/build.ninja
-	cmake --build build/release --target meshgraft_methods meshgraft_draw
+	cmake --build build/release --target meshgraft_methods meshgraft_orders meshgraft_draw
 	validation/run-methods build/release build/method
 
 format:
