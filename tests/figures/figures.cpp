@@ -64,13 +64,19 @@ std::vector<Configuration> configurations() {
 std::array<Vec3, 3> first_triangle() { return {Vec3{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}; }
 
 std::vector<Incidence> incidences() {
-  return {{"crossing", {Vec3{0.2, 0.5, -1}, {0.9, 0.5, -1}, {0.5, 0.6, 1.2}}, 1, 0, false},
-          {"edge_in_face", {Vec3{0.3, 0.4, 0}, {0.9, 0.4, 0}, {0.5, 0.4, 1}}, 1, 0, false},
-          {"node_on_face", {Vec3{0.5, 0.5, 0}, {0.2, 0.5, 1}, {0.9, 0.5, 1}}, 0, 1, false},
-          {"node_on_edge", {Vec3{1, 0, 0}, {0.8, -0.3, 1}, {1.4, -0.3, 1}}, 0, 1, false},
-          {"node_on_node", {Vec3{0, 0, 0}, {-0.3, -0.2, 1}, {0.3, -0.4, 1}}, 0, 1, false},
-          {"edge_on_edge", {Vec3{0.5, 0, 0}, {1.5, 0, 0}, {1, -0.2, 1}}, 1, 0, false},
-          {"coplanar", {Vec3{0.3, 0.3, 0}, {0.9, 0.4, 0}, {0.4, 0.9, 0}}, 3, 0, true}};
+  const Vec3 a{0.2, 0.5, -1}, b{0.9, 0.5, -1}, top{0.5, 0.6, 1.5};  // two fifths of the way up is z = 0
+  const Vec3 p{0.3, 0.3, 0}, q{0.9, 0.4, 0}, r{0.4, 0.9, 0};
+  return {{"crossing", {a, b, top}, {{Vec3{0.32, 0.54, 0}, {0.74, 0.54, 0}}}, {}, false},
+          {"edge_in_face",
+           {Vec3{0.3, 0.4, 0}, {0.9, 0.4, 0}, {0.5, 0.4, 1}},
+           {{Vec3{0.3, 0.4, 0}, {0.9, 0.4, 0}}},
+           {},
+           false},
+          {"node_on_face", {Vec3{0.5, 0.5, 0}, {0.2, 0.5, 1}, {0.9, 0.5, 1}}, {}, {{0.5, 0.5, 0}}, false},
+          {"node_on_edge", {Vec3{1, 0, 0}, {0.8, -0.3, 1}, {1.4, -0.3, 1}}, {}, {{1, 0, 0}}, false},
+          {"node_on_node", {Vec3{0, 0, 0}, {-0.3, -0.2, 1}, {0.3, -0.4, 1}}, {}, {{0, 0, 0}}, false},
+          {"edge_on_edge", {Vec3{0.5, 0, 0}, {1.5, 0, 0}, {1, -0.2, 1}}, {{Vec3{0.5, 0, 0}, {1.5, 0, 0}}}, {}, false},
+          {"coplanar", {p, q, r}, {{p, q}, {q, r}, {r, p}}, {}, true}};
 }
 
 std::array<Model, 2> uneven_crossing() {
@@ -78,9 +84,9 @@ std::array<Model, 2> uneven_crossing() {
           scenes::plate({0.15, 0.1, -0.33}, {1.6, 0.73, 0}, {0, 0, 0.7}, 0.9 * kSize, "RIB")};
 }
 
-std::array<Model, 2> like_density() {
-  return {scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
-          scenes::plate({0, 0.46, -0.37}, {2, 0, 0}, {0, 0, 0.8}, kSize, "RIB")};
+std::array<Model, 2> like_density(double from_row_of_wall, double from_row_of_rib) {
+  return {scenes::plate({0, -from_row_of_wall * kSize, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "WALL"),
+          scenes::plate({0, 0.5, -(3 + from_row_of_rib) * kSize}, {2, 0, 0}, {0, 0, 0.8}, kSize, "RIB")};
 }
 
 std::vector<Vec3> wavy_contour() {

@@ -23,8 +23,9 @@ struct Configuration {
 struct Incidence {
   std::string name;
   std::array<Vec3, 3> second;
-  std::size_t edges = 0, points = 0;  // of the junction
-  bool overlaps = false;              // they share area
+  std::vector<std::array<Vec3, 2>> lines;  // of the junction; where the triangles share area: its border
+  std::vector<Vec3> points;                // alone
+  bool overlaps = false;                   // they share area
 };
 [[nodiscard]] std::vector<Incidence> incidences();
 [[nodiscard]] std::array<Vec3, 3> first_triangle();
@@ -32,8 +33,9 @@ struct Incidence {
 /// Figure 7: two meshes cross, so that the line has nodes at all distances; ends and a bend are particular.
 [[nodiscard]] std::array<Model, 2> uneven_crossing();
 
-/// Figure 8: two meshes of like density that cross.
-[[nodiscard]] std::array<Model, 2> like_density();
+/// Figure 8: two meshes of like density that cross, along a line that runs at a distance from a row of edges in each.
+[[nodiscard]] std::array<Model, 2> like_density(double from_row_of_wall, double from_row_of_rib);
+inline constexpr double kNearRow = 0.3, kMidway = 0.5;  // of an edge: the figure, and a line in the middle of rows
 
 /// Figure 9: a contour with straight and wavy sides.
 [[nodiscard]] std::vector<Vec3> wavy_contour();

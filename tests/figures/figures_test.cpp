@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/components.hpp"
+#include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/corefine.hpp"
 #include "patch/paper_zone.hpp"
@@ -46,15 +47,35 @@ TEST(Figure4, FaceEdgeAndFaceFaceAreToldApart) {
   }
 }
 
+double distance_to(Vec3 p, const std::vector<std::array<Vec3, 2>>& lines) {
+  double least = 10;
+  for (const auto& [a, b] : lines) least = std::min(least, distance(p, closest_on_segment(p, a, b).point));
+  return least;
+}
+
+double length_of(const std::vector<std::array<Vec3, 2>>& lines) {
+  double sum = 0;
+  for (const auto& [a, b] : lines) sum += distance(a, b);
+  return sum;
+}
+
 TEST(Figure6, EachIncidenceIsFoundForWhatItIs) {
+  constexpr double kRounding = 1e-12;
   for (const Incidence& i : incidences()) {
     const auto c = corefined(model_of({first_triangle()}, "A"), model_of({i.second}, "B"));
     ASSERT_TRUE(c.has_value()) << i.name << c.error().what;
+    const auto at = [&](VertexId v) { return c->complex.position[v.value]; };
     EXPECT_EQ(!c->covered.empty(), i.overlaps) << i.name;
-    EXPECT_EQ(c->junction_points.size(), i.points) << i.name;
-    if (i.overlaps) continue;  // its border is what counts there
-    // An edge of the junction may be cut where it crosses an edge that the filling of the face made.
-    EXPECT_EQ(!c->junction_edges.empty(), i.edges > 0) << i.name;
+    ASSERT_EQ(c->junction_points.size(), i.points.size()) << i.name;
+    for (std::size_t k = 0; k < i.points.size(); ++k) EXPECT_EQ(at(c->junction_points[k]), i.points[k]) << i.name;
+    // All of the lines, and nothing else. They may be in pieces: the face that is cut has inner edges.
+    std::vector<std::array<Vec3, 2>> found;
+    for (const auto& e : c->junction_edges) found.push_back({at(e[0]), at(e[1])});
+    EXPECT_NEAR(length_of(found), length_of(i.lines), kRounding) << i.name;
+    for (const auto& line : found)
+      for (const Vec3 p : line) EXPECT_LE(distance_to(p, i.lines), kRounding) << i.name;
+    for (const auto& line : i.lines)
+      for (const Vec3 p : line) EXPECT_LE(distance_to(p, found), kRounding) << i.name;
   }
 }
 
@@ -91,15 +112,42 @@ TEST(Figure7, NodesCloserThanTheMeanEdgeLengthAreDroppedAndEndsStay) {
   EXPECT_NEAR(total, std::hypot(1.6, 0.73), 1e-9);  // from free edge to free edge of the rib
 }
 
-TEST(Figure8, LikeDensitiesGiveTheSameBandwidthOnBoth) {
-  const auto [wall, rib] = like_density();
-  const auto c = corefined(wall, rib);
-  ASSERT_TRUE(c.has_value());
-  const PaperBandwidth b = paper_bandwidth(*c, 0, 1);
-  EXPECT_EQ(std::lround(std::max(b.l1a, b.l2a) / std::min(b.l1a, b.l2a)), 1);
-  EXPECT_EQ(b.n1, b.n2);
-  const double half = 0.25 * (b.l1a + b.l2a);
-  EXPECT_EQ(b.n1, std::min(2L, std::lround(std::max(b.l_min, half) / std::min(b.l_min, half))));
+/// Rows of cells of the plates, of `kCells` cells each, that the paper deletes.
+std::array<std::size_t, 2> rows_deleted(const Corefined& c) {
+  constexpr std::size_t kCells = 20;
+  const Zone zone = paper_zone(c);
+  std::array<std::set<ElementRef>, 2> faces;
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+    if (zone.in_zone[f] != 0) faces[c.complex.component[f]].insert(c.complex.parent[f]);
+  for (const auto& of_plate : faces) EXPECT_EQ(of_plate.size() % (2 * kCells), 0u);
+  return {faces[0].size() / (2 * kCells), faces[1].size() / (2 * kCells)};
+}
+
+/// Edges are 0.1, 0.1 and 0.1414 long, so that l_a / 2 is 0.0569. A line 0.03 from a row of edges: 0.0569 / 0.03 is
+/// nearer to 2 than to 1, so two neighbourhoods go, of the row that is met and one on either side. A line in the
+/// middle: 0.0569 / 0.05, so only the row that is met.
+TEST(Figure8, LikeDensitiesGiveOneOrTwoNeighbourhoodsByHowNearTheLineRunsToTheirBoundary) {
+  struct Expected {
+    double wall, rib, l_min;
+    int n;
+  };
+  for (const Expected& e : {Expected{kNearRow, kNearRow, 0.03, 2}, Expected{kMidway, kMidway, 0.05, 1},
+                            Expected{kMidway, kNearRow, 0.03, 2}, Expected{kNearRow, kMidway, 0.03, 2}}) {
+    const auto [wall, rib] = like_density(e.wall, e.rib);
+    const auto c = corefined(wall, rib);
+    ASSERT_TRUE(c.has_value());
+    const PaperBandwidth b = paper_bandwidth(*c, 0, 1);
+    EXPECT_NEAR(b.l1a, 0.1 * (2 + std::sqrt(2.0)) / 3, 1e-9);
+    EXPECT_NEAR(b.l2a, b.l1a, 1e-9);
+    EXPECT_NEAR(b.l_min, e.l_min, 1e-9);
+    EXPECT_EQ(b.n1, e.n);
+    EXPECT_EQ(b.n2, e.n);
+    const auto merged = merge(wall, std::span(&rib, 1), paper());
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_EQ(merged->report.zone.bandwidth, (std::vector<int>{e.n, e.n}));
+    const std::size_t rows = e.n == 2 ? 3 : 1;
+    EXPECT_EQ(rows_deleted(*c), (std::array{rows, rows}));
+  }
 }
 
 TEST(Figure9, LeastAreaGivesFlatTrianglesAndBestQualityDoesNot) {

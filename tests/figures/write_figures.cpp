@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   for (const auto& c : figures::configurations()) put_merge(c.base, c.part, "4_" + c.name);
   for (const auto& i : figures::incidences())
     put(figures::model_of({figures::first_triangle(), i.second}, "PAIR"), "6_" + i.name);
-  const auto uneven = figures::uneven_crossing(), like = figures::like_density();
+  const auto uneven = figures::uneven_crossing(), like = figures::like_density(figures::kNearRow, figures::kNearRow);
   put_merge(uneven[0], uneven[1], "7");
   put_merge(like[0], like[1], "8");
   const auto contour = figures::wavy_contour();

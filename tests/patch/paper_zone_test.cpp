@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "remesh/cut.hpp"
+#include "support/scenes.hpp"
 
 namespace meshgraft {
 namespace {
@@ -27,6 +28,21 @@ TEST(PaperZone, TwoMeshesOfLikeDensityGiveTwoEachWhereTheLineRunsNearTheBoundary
   EXPECT_EQ(b.n1, 2);
   EXPECT_EQ(b.n2, 2);
   EXPECT_EQ(paper_zone(c).bandwidth, (std::vector<int>{2, 2}));
+}
+
+TEST(PaperZone, TwoMeshesOfLikeDensityGiveOneEachWhereTheLineRunsFarFromTheBoundary) {
+  cut::Scene scene;
+  cut::add(scene, scenes::plate({0, -0.05, 0}, {2, 0, 0}, {0, 1, 0}, 0.1), 0);
+  cut::add(scene, scenes::plate({0, 0.5, -0.35}, {2, 0, 0}, {0, 0, 0.8}, 0.1), 1);
+  const auto c = corefine(scene.complex, scene.groups, CorefineOptions{});
+  ASSERT_TRUE(c.has_value());
+  const PaperBandwidth b = paper_bandwidth(*c, 0, 1);
+  EXPECT_NEAR(b.l_min, 0.05, 1e-9);  // midway between rows of edges, and l_a / 2 is 0.057
+  EXPECT_EQ(b.n1, 1);
+  EXPECT_EQ(b.n2, 1);
+  const Zone zone = paper_zone(*c);
+  EXPECT_EQ(zone.bandwidth, (std::vector<int>{1, 1}));
+  EXPECT_EQ(zone.in_zone, c->touched);
 }
 
 TEST(PaperZone, TheFinerMeshIsDeletedAsManyTimesAsItIsFiner) {
