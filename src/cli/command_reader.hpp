@@ -101,7 +101,7 @@ class Arguments {
 
  private:
   [[nodiscard]] bool is_option(const std::string& text) const {
-    return text.starts_with("--") || app_.get_option_no_throw(text) != nullptr;
+    return text.starts_with("--") || (text.starts_with('-') && app_.get_option_no_throw(text) != nullptr);
   }
 
   CLI::App& app_;

@@ -79,12 +79,13 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
                         GroupSets& sets) {
   const std::vector<const Model*> with_tool{&base, &tool.model}, alone{&base};
   const FacesToCut near = near_faces(base, tool, options.zone.tolerance);
+  const std::vector<std::vector<ElementId>> cut_faces{near.of_base};
+  if (const auto ok = check_local_scale(alone, cut_faces, options.zone); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.zone.bandwidth)
     workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.zone.bandwidth);
   Incision out;
-  out.original = workpiece(alone, one_for_each_input(1), std::vector<std::vector<ElementId>>{near.of_base},
-                           table.of_input, sets, workpiece_options);
+  out.original = workpiece(alone, one_for_each_input(1), cut_faces, table.of_input, sets, workpiece_options);
   Complex both = out.original;
   const std::uint32_t component = add_tool(tool.model, near.of_tool, both);
 

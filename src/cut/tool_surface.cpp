@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "cut/lattice.hpp"
 #include "geometry/quality.hpp"
+#include "merge/compatibility.hpp"
 #include "merge/inputs.hpp"
 
 namespace meshgraft {
@@ -16,6 +18,7 @@ constexpr double kCellEdges = 6;      // side of a cell, in mean edges of the ba
 constexpr double kChordEdges = 0.25;  // width of a facet of a cylinder, in least edges of the base near it
 constexpr double kLeastFacets = 64, kMostFacets = 4096;
 constexpr double kMostFacetCells = 1 << 17;
+constexpr double kThinnest = 1 / CompatibilityLimits{}.max_size_ratio;  // of edges, what a tool is across
 constexpr double kBeyond = 1.1;  // how far a surface goes beyond the base, in its radius
 
 /// A ball around the nodes of a model.
@@ -69,17 +72,30 @@ std::array<Vec3, 2> directions_across(Vec3 n) {
   return {u, cross(n, u)};
 }
 
+/// As many digits as tell it from all other numbers: tools are told by the numbers they were given.
+std::string exact(double value) {
+  std::array<char, 32> digits{};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
 std::string numbers(std::initializer_list<Vec3> points) {
   std::string text;
   for (const Vec3 p : points)
     for (std::size_t k = 0; k < 3; ++k) {
       if (!text.empty()) text.push_back(',');
-      text.append(text_of(p[k]));
+      text.append(exact(p[k]));
     }
   return text;
 }
 
 Failure senseless(const std::string& what, const std::string& hint) { return failure(ErrorCode::kUsage, what, hint); }
+
+/// A tool that is hardly thicker than a line, beside edges of the base.
+Failure too_thin(const std::string& name, double width, double edge) {
+  return senseless(
+      name + " is only " + text_of(width) + " across, where edges of the base are " + text_of(edge) + " long",
+      "check the unit of the numbers; nothing narrower than " + text_of(kThinnest * edge) + " is cut out");
+}
 
 Result<ToolSurface> surface_of(const Model&, const Model* mesh) { return mesh_tool(*mesh); }
 
@@ -95,7 +111,9 @@ Result<ToolSurface> surface_of(const Model& base, const BoxTool& box) {
     for (std::size_t k = 0; k < 3; ++k) h = std::max(h, std::abs(p[k] - centre[k]) - half[k]);
     return h;
   };
-  const double step = kCellEdges * fineness_near(base, height).mean;
+  const double edge = fineness_near(base, height).mean, step = kCellEdges * edge;
+  const double width = 2 * std::min({half.x, half.y, half.z});
+  if (width < kThinnest * edge) return too_thin(name, width, edge);
   std::array<std::vector<double>, 3> at;
   for (std::size_t k = 0; k < 3; ++k) at[k] = ticks(box.low[k], box.high[k], around.low[k], around.high[k], step);
   LatticeBuilder lattice;
@@ -160,7 +178,7 @@ Result<ToolSurface> surface_of(const Model& base, const PlaneTool& plane) {
 }
 
 Result<ToolSurface> surface_of(const Model& base, const CylinderTool& cylinder) {
-  const std::string name = "cylinder " + numbers({cylinder.point, cylinder.axis}) + "," + text_of(cylinder.radius);
+  const std::string name = "cylinder " + numbers({cylinder.point, cylinder.axis}) + "," + exact(cylinder.radius);
   const Vec3 axis = normalized(cylinder.axis);
   if (!is_finite(cylinder.point) || !is_finite(axis) || axis == Vec3{} || !(cylinder.radius > 0) ||
       !std::isfinite(cylinder.radius))
@@ -169,6 +187,7 @@ Result<ToolSurface> surface_of(const Model& base, const CylinderTool& cylinder) 
   const double r = cylinder.radius;
   const auto radial = [&](Vec3 p) { return (p - cylinder.point) - dot(axis, p - cylinder.point) * axis; };
   const Fineness fineness = fineness_near(base, [&](Vec3 p) { return norm(radial(p)) - r; });
+  if (2 * r < kThinnest * fineness.mean) return too_thin(name, 2 * r, fineness.mean);
   const double facets = std::ceil(2 * std::numbers::pi * r / (kChordEdges * fineness.least));
   const auto n = static_cast<std::size_t>(std::clamp(facets, kLeastFacets, kMostFacets));
 

@@ -17,7 +17,8 @@ struct ToolSurface {
 /// Builds the surface of a tool so that all of the base is in its reach: cells of a few edges of the
 /// base, a cylinder in facets so narrow that they leave it by a small share of an edge at most.
 ///
-/// Errors: kUsage (a box without volume, no radius, no direction, a number that is not finite),
+/// Errors: kUsage (a box without volume, no radius, no direction, a number that is not finite, less than 1/200
+/// of an edge across),
 /// kNoFaces, kUnsupportedElement (parabolic elements), kNotSeparated (open, and its faces are not
 /// oriented alike).
 [[nodiscard]] Result<ToolSurface> tool_surface(const Model& base, const CutTool& tool);

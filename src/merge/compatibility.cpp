@@ -200,10 +200,11 @@ Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<Elemen
                        " meet edges of " + text_of(edge[0]),
                    std::string(kCheckUnits) + ", or refine the coarser mesh there", {inputs[k]->path, 0});
   }
+  std::erase(edge, 0);  // an input that has no face near the others
   const auto is_apart = [&](double length) { return ratio(*options.size, length) >= limits.max_size_ratio; };
-  if (options.size && std::ranges::all_of(edge, is_apart))
+  if (options.size && !edge.empty() && std::ranges::all_of(edge, is_apart))
     return failure(ErrorCode::kUsage,
-                   "edge length of " + text_of(*options.size) + " along the junction, where edges are " +
+                   "edge length of " + text_of(*options.size) + " asked for, where edges are " +
                        text_of(*std::ranges::min_element(edge)) + " long",
                    "give a length nearer to that, in the unit of the files");
   return {};

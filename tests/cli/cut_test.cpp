@@ -69,7 +69,14 @@ TEST(Cut, RefusesWhatMakesNoSense) {
       {{"--box", "0,0,0,1,1", "--drop", "inside"}, "--box"},
       {{"--box", "0,0,0,1,1,x", "--drop", "inside"}, "--box"},
       {{"--box", "1,1,1,0,0,0", "--drop", "inside"}, "no volume"},
+      {{"--box", "0.3000000001,0.3,-1,0.3000000002,0.6,1", "--drop", "inside"}, "box 0.3000000001,0.3,-1"},
+      {{"--cylinder", "0.5,0.5,0,0,0,1,0", "--drop", "inside"}, "no radius"},
+      {{"--cylinder", "0.5,0.5,0,0,0,1,-0.1", "--drop", "inside"}, "no radius"},
+      {{"--cylinder", "0.5,0.5,0,0,0,1,nan", "--drop", "inside"}, "not a list of numbers"},
+      {{"--cylinder", "0.5,0.5,0,0,0,1,1e-300", "--drop", "inside"}, "2e-300 across"},
+      {{"--cylinder", "0.5,0.5,0,0,0,1,0.2", "--drop", "inside", "--size", "1e-9"}, "edge length of 1e-09"},
       {{"--plane", "0,0,0,0,0,0", "--drop", "inside"}, "no direction"},
+      {{"--plane", "0.5,0,0,1,0,0", "--drop", "BASE"}, "no group 'BASE'"},  // as BASE is called in the help
       {{"part.unv", "--plane", "0,0,0,0,0,1", "--drop", "inside"}, "more than one tool"},
       {{"--plane", "0.5,0,0,1,0,0", "--drop", "PLTAE"}, "group"}};
   for (const auto& [options, expected] : refused) {
