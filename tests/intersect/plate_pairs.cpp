@@ -54,6 +54,37 @@ double area_of(const Model& m) {
   return sum;
 }
 
+/// Faults in words.
+class Faults {
+ public:
+  template <class... Words>
+  void operator()(const Words&... words) {
+    std::ostringstream text;
+    (text << ... << words);
+    all_.push_back(text.str());
+  }
+  /// Counts a use of each edge of a face.
+  void count_edges(const std::array<VertexId, 3>& face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(face[k], face[(k + 1) % 3]);
+      if (++uses_[{low, high}] == 3) (*this)("edge ", low.value, "-", high.value, " has a third face");
+    }
+  }
+  [[nodiscard]] std::vector<std::string> all() && { return std::move(all_); }
+
+ private:
+  std::vector<std::string> all_;
+  std::map<std::array<VertexId, 2>, int> uses_;
+};
+
+/// What borders may be moved by, and by how much areas may differ for it.
+struct Slack {
+  explicit Slack(const PlatePair& pair)
+      : length(kLonger * tolerance(pair) + pair.noise),
+        area(length * (2 * pair.length + 2 * pair.width) + 100 * pair.noise) {}
+  double length, area;
+};
+
 }  // namespace
 
 std::vector<Model> models(const PlatePair& p) {
@@ -105,19 +136,11 @@ double common_area(const PlatePair& pair) {
 
 std::vector<std::string> faults(const PlatePair& pair, const std::vector<Model>& models, const Corefined& corefined,
                                 const GroupSets& sets) {
-  std::vector<std::string> faults;
-  const auto fault = [&](auto&&... words) {
-    std::ostringstream text;
-    (text << ... << words);
-    faults.push_back(text.str());
-  };
+  Faults fault;
   const Complex& after = corefined.complex;
-  // What borders may be moved by.
-  const double snapped = kLonger * tolerance(pair) + pair.noise;
-  const double slack = snapped * (2 * pair.length + 2 * pair.width) + 100 * pair.noise;
+  const Slack slack(pair);
   double whole = 0, layered = 0;
   std::array<double, 2> of_group{};
-  std::map<std::array<VertexId, 2>, int> uses;
   for (std::size_t f = 0; f < after.n_faces(); ++f) {
     const Triangle t = after.corners(FaceId(f));
     const double own = area(t);
@@ -129,57 +152,47 @@ std::vector<std::string> faults(const PlatePair& pair, const std::vector<Model>&
     const bool is_layered = !after.layers_of(FaceId(f)).empty();
     if (is_layered) layered += own;
     const auto [inside_base, inside_plate] = depths(pair, centroid(t));
-    if (is_layered && std::min(inside_base, inside_plate) < -snapped) fault("face ", f, " stands for both in vain");
-    if (!is_layered && std::min(inside_base, inside_plate) > snapped) fault("face ", f, " stands for one of two");
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(after.face[f][k], after.face[f][(k + 1) % 3]);
-      if (++uses[{low, high}] == 3) fault("edge ", low.value, "-", high.value, " has a third face");
-    }
+    if (is_layered && std::min(inside_base, inside_plate) < -slack.length)
+      fault("face ", f, " stands for both in vain");
+    if (!is_layered && std::min(inside_base, inside_plate) > slack.length) fault("face ", f, " stands for one of two");
+    fault.count_edges(after.face[f]);
   }
   const double common = common_area(pair), base = area_of(models[0]), part = area_of(models[1]);
-  if (std::abs(layered - common) > slack) fault("common area is ", layered, " instead of ", common);
-  if (std::abs(whole - (base + part - common)) > slack) fault("area is ", whole, " instead of ", base + part - common);
+  if (std::abs(layered - common) > slack.area) fault("common area is ", layered, " instead of ", common);
+  if (std::abs(whole - (base + part - common)) > slack.area)
+    fault("area is ", whole, " instead of ", base + part - common);
   if (std::abs(of_group[0] - base) > 1e-6 * base) fault("base has area ", of_group[0], " instead of ", base);
-  if (std::abs(of_group[1] - part) > slack) fault("plate has area ", of_group[1], " instead of ", part);
-  return faults;
+  if (std::abs(of_group[1] - part) > slack.area) fault("plate has area ", of_group[1], " instead of ", part);
+  return std::move(fault).all();
 }
 
 std::vector<std::string> faults_of_kept_base(const PlatePair& pair, const std::vector<Model>& models,
                                              const Corefined& corefined) {
-  std::vector<std::string> faults;
-  const auto fault = [&](auto&&... words) {
-    std::ostringstream text;
-    (text << ... << words);
-    faults.push_back(text.str());
-  };
+  Faults fault;
   const Complex& after = corefined.complex;
-  const double snapped = kLonger * tolerance(pair) + pair.noise;
-  const double slack = snapped * (2 * pair.length + 2 * pair.width) + 100 * pair.noise;
+  const Slack slack(pair);
   std::array<double, 2> areas{};
-  std::map<std::array<VertexId, 2>, int> uses;
   for (std::size_t f = 0; f < after.n_faces(); ++f) {
     const Triangle t = after.corners(FaceId(f));
     const std::uint32_t own = after.component[f];
     areas[own] += area(t);
-    if (own == 1 && std::ranges::min(depths(pair, centroid(t))) > snapped)
+    if (own == 1 && std::ranges::min(depths(pair, centroid(t))) > slack.length)
       fault("face ", f, " of the plate is left on the base");
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(after.face[f][k], after.face[f][(k + 1) % 3]);
-      if (++uses[{low, high}] == 3) fault("edge ", low.value, "-", high.value, " has a third face");
-      const VertexId v = after.face[f][k];
+    fault.count_edges(after.face[f]);
+    for (const VertexId v : after.face[f]) {
       const NodeRef node = after.node[v.value];
       if (own == 0 && node.valid() && node.input == 0 && after.position[v.value] != models[0].position[node.node.value])
         fault("a node of the base moved");
       if (own == 1 || (node.valid() && node.input == 0)) continue;
       const Vec3 at = after.position[v.value];
-      if (std::ranges::any_of(depths(pair, at), [&](double depth) { return std::abs(depth) > snapped; }))
+      if (std::ranges::any_of(depths(pair, at), [&](double depth) { return std::abs(depth) > slack.length; }))
         fault("the base is cut at (", at.x, ", ", at.y, ")");
     }
   }
   const double base = area_of(models[0]), rest = area_of(models[1]) - common_area(pair);
   if (std::abs(areas[0] - base) > 1e-6 * base) fault("base has area ", areas[0], " instead of ", base);
-  if (std::abs(areas[1] - rest) > slack) fault("plate has area ", areas[1], " left instead of ", rest);
-  return faults;
+  if (std::abs(areas[1] - rest) > slack.area) fault("plate has area ", areas[1], " left instead of ", rest);
+  return std::move(fault).all();
 }
 
 std::string to_string(const PlatePair& p) {

@@ -99,15 +99,20 @@ TEST(Stitch, ANodeThatNoFaceUsesAnyMoreIsRemoved) {
   EXPECT_EQ(m.graft.removed_nodes[0].size(), 1u);
 }
 
-TEST(Stitch, NodesOfOtherElementsAndOrphansStay) {
+/// Two faces on the first four nodes, and a mass on the first.
+Model square_with_mass(int n_nodes) {
   ModelBuilder b;
-  for (int k = 0; k < 5; ++k) b.add_node({double(k % 2), double(k / 2), 0});  // the last one is an orphan
+  for (int k = 0; k < n_nodes; ++k) b.add_node({double(k % 2), double(k / 2), 0});
   b.add_face(NodeId(std::size_t{0}), NodeId(std::size_t{1}), NodeId(std::size_t{2}));
   b.add_face(NodeId(std::size_t{1}), NodeId(std::size_t{3}), NodeId(std::size_t{2}));
   ElementAttributes mass;
   mass.shape = Shape::kPoint, mass.type = 161;
   b.add_element(mass, std::array{NodeId(std::size_t{0})});
-  HandMade m({b.build()});
+  return b.build();
+}
+
+TEST(Stitch, NodesOfOtherElementsAndOrphansStay) {
+  HandMade m({square_with_mass(5)});  // the last node is an orphan
   m.remove_face(FaceId(std::size_t{0}));
   m.stitch_now();
   EXPECT_TRUE(m.graft.removed_nodes[0].empty());
@@ -115,14 +120,7 @@ TEST(Stitch, NodesOfOtherElementsAndOrphansStay) {
 }
 
 TEST(Stitch, APinnedNodeMissingFromTheComplexIsReported) {
-  ModelBuilder b;
-  for (int k = 0; k < 4; ++k) b.add_node({double(k % 2), double(k / 2), 0});
-  b.add_face(NodeId(std::size_t{0}), NodeId(std::size_t{1}), NodeId(std::size_t{2}));
-  b.add_face(NodeId(std::size_t{1}), NodeId(std::size_t{3}), NodeId(std::size_t{2}));
-  ElementAttributes mass;
-  mass.shape = Shape::kPoint, mass.type = 161;
-  b.add_element(mass, std::array{NodeId(std::size_t{0})});
-  HandMade m({b.build()});
+  HandMade m({square_with_mass(4)});
   m.remove_face(FaceId(std::size_t{0}));
   const VertexId v = m.vertex(0, 0);
   m.final_complex.node[v.value] = {};

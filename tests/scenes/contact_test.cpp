@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "meshgraft/check.hpp"
 #include "meshgraft/merge.hpp"
+#include "scenes/expect.hpp"
 #include "support/catalogue.hpp"
 
 namespace meshgraft {
@@ -18,29 +18,11 @@ const std::vector<scenes::Merge>& all_scenes() {
   return all;
 }
 
-double area_of(const Model& model, ElementId e) {
-  const auto t = model.corners(e);
-  return 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
-}
-
-std::map<std::string, double> area_by_group(const Model& model) {
-  std::map<std::string, double> areas;
-  for (std::size_t e = 0; e < model.n_elements(); ++e)
-    if (model.is_face(ElementId(e)))
-      for (const GroupId g : model.group_sets.members(model.element_groups[e]))
-        areas[model.groups[g.value].name] += area_of(model, ElementId(e));
-  return areas;
-}
-
 double whole_area(const Model& model) {
   double sum = 0;
   for (std::size_t e = 0; e < model.n_elements(); ++e)
-    if (model.is_face(ElementId(e))) sum += area_of(model, ElementId(e));
+    if (model.is_face(ElementId(e))) sum += scenes::area_of(model, ElementId(e));
   return sum;
-}
-
-std::string first_problem(const Report& report) {
-  return report.broken_promises.empty() ? "" : to_string(report.broken_promises.front());
 }
 
 class Contact : public testing::TestWithParam<std::size_t> {
@@ -52,14 +34,14 @@ class Contact : public testing::TestWithParam<std::size_t> {
     auto merged = merge(scene.base, scene.parts, options);
     ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
     merged_ = std::move(*merged);
-    EXPECT_TRUE(merged_.report.broken_promises.empty()) << first_problem(merged_.report);
+    EXPECT_TRUE(merged_.report.broken_promises.empty()) << scenes::first_problem(merged_.report);
     EXPECT_FALSE(merged_.report.junction.empty());
     EXPECT_GE(merged_.report.quality.min, scene.min_q);
     result_ = apply(scene.base, scene.parts, merged_);
-    before_ = area_by_group(scene.base);
+    before_ = scenes::area_by_group(scene.base);
     area_before_ = whole_area(scene.base);
     for (const Model& part : scene.parts) {
-      for (const auto& [name, area] : area_by_group(part)) before_[name] += area;
+      for (const auto& [name, area] : scenes::area_by_group(part)) before_[name] += area;
       area_before_ += whole_area(part);
     }
   }
@@ -72,12 +54,9 @@ class Contact : public testing::TestWithParam<std::size_t> {
 
 TEST_P(Contact, FusedFacesAreInTheGroupsOfBoth) {
   ASSERT_NO_FATAL_FAILURE(merge_with(Overlap::kFuse));
-  const CheckResult check = meshgraft::check(result_);
-  EXPECT_TRUE(check.sound()) << check.intersections << " intersections, " << check.duplicate_faces.size() << " doubled";
-  EXPECT_EQ(check.n_orphan_nodes, 0u);
-  EXPECT_EQ(check.n_coincident_nodes, 0u);
+  scenes::expect_sound(result_);
   // One group of both inputs counts the common area once.
-  const auto after = area_by_group(result_);
+  const auto after = scenes::area_by_group(result_);
   for (const auto& [name, area] : before_)
     if (before_.size() > 1) {
       EXPECT_NEAR(after.at(name), area, 0.015 * area) << name;
@@ -87,7 +66,7 @@ TEST_P(Contact, FusedFacesAreInTheGroupsOfBoth) {
 TEST_P(Contact, ProjectedLayersAreOnTheSameNodesAndKeepAllTheirArea) {
   ASSERT_NO_FATAL_FAILURE(merge_with(Overlap::kProject));
   EXPECT_NEAR(whole_area(result_), area_before_, 0.01 * area_before_);
-  const auto after = area_by_group(result_);
+  const auto after = scenes::area_by_group(result_);
   for (const auto& [name, area] : before_) EXPECT_NEAR(after.at(name), area, 0.015 * area) << name;
   std::map<std::set<std::uint32_t>, std::size_t> on_nodes;
   for (std::size_t e = 0; e < result_.n_elements(); ++e) {
@@ -137,7 +116,7 @@ TEST(KeptContact, APartThatLiesOnTheBaseAsAWholeStaysBitForBit) {
     const scenes::Merge& scene = scene_named(name);
     const auto merged = merged_keeping(scene, Overlap::kKeepPart);
     ASSERT_TRUE(merged.has_value()) << name << ' ' << to_string(merged.error());
-    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << first_problem(merged->report);
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << scenes::first_problem(merged->report);
     const Model result = apply(scene.base, scene.parts, *merged);
     EXPECT_TRUE(meshgraft::check(result).sound()) << name;
     EXPECT_TRUE(lost_faces(scene.parts[0], result).empty()) << name;
@@ -149,7 +128,7 @@ TEST(KeptContact, TheKeptBaseChangesOnlyWhereBordersCross) {
   const scenes::Merge& scene = scene_named("partial_overlap_1_1");
   const auto merged = merged_keeping(scene, Overlap::kKeepBase);
   ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
-  EXPECT_TRUE(merged->report.broken_promises.empty()) << first_problem(merged->report);
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
   const Model result = apply(scene.base, scene.parts, *merged);
   EXPECT_TRUE(meshgraft::check(result).sound());
   for (const Vec3 p : lost_faces(scene.base, result))
@@ -162,7 +141,7 @@ TEST(KeptContact, AMeshOnWhichTheOtherEndsOnItsNodesStaysBitForBit) {
   for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
     const auto merged = merged_keeping(scene, overlap);
     ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
-    EXPECT_TRUE(merged->report.broken_promises.empty()) << first_problem(merged->report);
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
     const Model result = apply(scene.base, scene.parts, *merged);
     EXPECT_TRUE(lost_faces(overlap == Overlap::kKeepBase ? scene.base : scene.parts[0], result).empty());
   }
@@ -174,7 +153,7 @@ TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
     const scenes::Merge& scene = scene_named(name);
     const auto merged = merged_keeping(scene, overlap);
     ASSERT_TRUE(merged.has_value()) << name << ' ' << to_string(merged.error());
-    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << first_problem(merged->report);
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << name << ' ' << scenes::first_problem(merged->report);
     EXPECT_GE(merged->report.quality.min, scene.min_q) << name;
     EXPECT_GE(merged->report.quality.mean, 0.85) << name;
     EXPECT_TRUE(meshgraft::check(apply(scene.base, scene.parts, *merged)).sound()) << name;

@@ -1,10 +1,8 @@
 // Parts that end a share of an edge length short of the base, or as far beyond it, are joined along their own surface.
 #include <gtest/gtest.h>
 
-#include <map>
-
-#include "meshgraft/check.hpp"
 #include "meshgraft/merge.hpp"
+#include "scenes/expect.hpp"
 #include "support/catalogue.hpp"
 
 namespace meshgraft {
@@ -15,10 +13,6 @@ const std::vector<scenes::Merge>& all_scenes() {
   return all;
 }
 
-std::string first_problem(const Report& report) {
-  return report.broken_promises.empty() ? "" : to_string(report.broken_promises.front());
-}
-
 class Gaps : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Gaps, AreClosedAndEachMoveIsReported) {
@@ -26,7 +20,7 @@ TEST_P(Gaps, AreClosedAndEachMoveIsReported) {
   const auto merged = merge(scene.base, scene.parts, scene.options);
   ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
   const Report& report = merged->report;
-  EXPECT_TRUE(report.broken_promises.empty()) << first_problem(report);
+  EXPECT_TRUE(report.broken_promises.empty()) << scenes::first_problem(report);
   EXPECT_GE(report.quality.min, scene.min_q);
   EXPECT_GE(report.quality.mean, scene.mean_q);
   EXPECT_LE(report.fidelity.max_distance_relative, scene.max_off);
@@ -41,12 +35,7 @@ TEST_P(Gaps, AreClosedAndEachMoveIsReported) {
     EXPECT_LE(m.distance, most);
   }
 
-  const Model result = apply(scene.base, scene.parts, *merged);
-  const CheckResult check = meshgraft::check(result);
-  EXPECT_TRUE(check.sound()) << check.intersections << " intersections, " << check.degenerate_faces.size()
-                             << " degenerate, " << check.duplicate_faces.size() << " duplicate";
-  EXPECT_EQ(check.n_orphan_nodes, 0u);
-  EXPECT_EQ(check.n_coincident_nodes, 0u);
+  scenes::expect_sound(apply(scene.base, scene.parts, *merged));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Gaps, testing::Range(std::size_t{0}, all_scenes().size()),
