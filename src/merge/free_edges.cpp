@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/box_tree.hpp"
-#include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
 #include "merge/junction_summary.hpp"
+#include "merge/segments.hpp"
 
 namespace meshgraft {
 namespace {
 
-using Segment = std::array<Vec3, 2>;
 using NodePair = std::array<NodeRef, 2>;
 
 std::vector<FaceOnEdge> free_edges(const Complex& complex, std::span<const std::uint8_t> wanted) {
@@ -36,33 +34,6 @@ Segment moved_segment(const Outcome& outcome, const FaceOnEdge& e) {
   const Complex& before = outcome.original;
   return {outcome.places.of(before.node[e.low.value]), outcome.places.of(before.node[e.high.value])};
 }
-
-/// Segments that others are looked for on.
-class Segments {
- public:
-  explicit Segments(std::vector<Segment> segments) : segments_(std::move(segments)) {
-    std::vector<Box> boxes(segments_.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k)
-      for (const Vec3& p : segments_[k]) boxes[k].add(p);
-    tree_ = BoxTree(boxes);
-  }
-
-  /// Whether ends and middle of `s` are within `distance` of the segments.
-  [[nodiscard]] bool cover(const Segment& s, double distance) const {
-    const std::array<Vec3, 3> points{s[0], midpoint(s[0], s[1]), s[1]};
-    return std::ranges::all_of(points, [&](Vec3 p) {
-      const auto squared_distance = [&](std::uint32_t k) {
-        return squared_norm(p - closest_on_segment(p, segments_[k][0], segments_[k][1]).point);
-      };
-      const auto nearest = tree_.nearest(p, squared_distance);
-      return nearest.found() && nearest.squared_distance <= distance * distance;
-    });
-  }
-
- private:
-  std::vector<Segment> segments_;
-  BoxTree tree_;
-};
 
 NodePair key(const Complex& complex, const FaceOnEdge& e) {
   const NodeRef a = complex.node[e.low.value], b = complex.node[e.high.value];

@@ -20,16 +20,30 @@
 namespace meshgraft {
 namespace {
 
-/// What was to be joined and meets nothing: an error, or a warning if the user allows it.
+/// An error, or a warning if the user allows it.
+Result<void> refuse_unless_allowed(const Error& error, const MergeOptions& options, Report& report) {
+  if (!options.allow_apart) return Failure(error);
+  report.warnings.push_back({name(error.code), error.what + "; left unjoined", error.place});
+  return {};
+}
+
+/// What was to be joined and meets nothing.
 Result<void> check_parts_meet(Inputs inputs, const Components& components, const Corefined& corefined,
                               const MergeOptions& options, Report& report) {
   std::optional<Error> error = nothing_joined(inputs, components, corefined.met, options.joins);
   const std::vector<std::uint32_t> apart = parts_apart(components, corefined.met);
   if (!error && !apart.empty()) error = apart_error(inputs, apart, corefined.left_open);
-  if (!error) return {};
-  if (!options.allow_apart) return Failure(*error);
-  report.warnings.push_back({name(error->code), error->what + "; left unjoined", error->place});
-  return {};
+  return error ? refuse_unless_allowed(*error, options, report) : Result<void>();
+}
+
+/// Groups of one mesh may meet only where they shared nodes before.
+Result<void> check_anything_new(Inputs inputs, const MergeOptions& options, Report& report) {
+  if (options.joins.empty() || !report.junction.empty()) return {};
+  return refuse_unless_allowed({ErrorCode::kPartsApart,
+                                "the groups named by --join share nodes already and meet nowhere else",
+                                "name groups that cross, touch or lie on each other",
+                                {inputs[0]->path, 0}},
+                               options, report);
 }
 
 Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
@@ -73,6 +87,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
   const Operation operation{inputs, *components, original, *corefined, zone, dropped, ground.translated, options};
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
+  if (const auto ok = check_anything_new(inputs, options, report); !ok) return Failure(ok.error());
   return merged;
 }
 

@@ -6,6 +6,8 @@
 
 #include "merge/junction_summary.hpp"
 #include "merge/labels.hpp"
+#include "merge/new_junction.hpp"
+#include "merge/result_check.hpp"
 
 namespace meshgraft {
 namespace {
@@ -63,7 +65,8 @@ void list_moves(const Outcome& outcome, Report& report) {
 
 void summarise(const Outcome& outcome, Report& report) {
   count_changes(outcome, report);
-  report.junction = polylines_of(outcome.final_complex, junction_of(outcome.final_complex), outcome.components);
+  report.junction = polylines_of(outcome.final_complex, new_junction(outcome, ResultCheckLimits{}.free_edge_distance),
+                                 outcome.components);
   list_labels(outcome, report);
   list_moves(outcome, report);
 }

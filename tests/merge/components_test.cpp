@@ -159,6 +159,27 @@ TEST(Join, TwoGroupsOfOneConnectedMeshAreJoinedWhereTheyCross) {
   EXPECT_NEAR(m.report.junction[0].length, 2, 1e-6);
 }
 
+TEST(Join, WhatGroupsShareAlreadyIsNoJunction) {
+  // A rib along the edge of a wall, bent back so that it ends on the wall once more.
+  const Model bent =
+      scenes::welded(scenes::together(std::array{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kSize, "WALL"),
+                                                 scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 0, 1}, kSize, "RIB"),
+                                                 scenes::plate({0, 0, 1}, {2, 0, 0}, {0, 0.93, -1}, kSize, "RIB")}));
+  MergeOptions options;
+  options.joins = {{"WALL", "RIB"}};
+  const Merged m = merged(bent, {}, options);
+  ASSERT_EQ(m.report.junction.size(), 1u);
+  EXPECT_NEAR(m.report.junction[0].length, 2, 1e-6);
+  EXPECT_EQ(m.report.junction[0].kind, "touching");
+
+  const Model angle =
+      scenes::welded(scenes::together(std::array{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kSize, "WALL"),
+                                                 scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 0, 1}, kSize, "RIB")}));
+  const auto nothing = merge(angle, {}, options);
+  ASSERT_FALSE(nothing.has_value());
+  EXPECT_EQ(nothing.error().code, ErrorCode::kPartsApart);
+}
+
 TEST(Join, GroupsThatDoNotExistOrDoNotMeetAreErrors) {
   const Model assembly = scenes::together(std::array{wall(), along_x(0.6, 0, "FIRST"), along_x(1.4, 0, "SECOND")});
   MergeOptions options;
