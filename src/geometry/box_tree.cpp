@@ -1,11 +1,26 @@
 #include "geometry/box_tree.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 
 namespace meshgraft {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;  // boxes tested one by one; 2 to 8 measure alike
+constexpr std::uint32_t kLeafSize = 4;   // boxes tested one by one; 2 to 8 measure alike
+constexpr std::size_t kAtOnce = 4096;  // boxes below which a branch is not worth a task
+
+/// Adds a tree by itself; its root takes the place of `root`.
+template <class Node>
+void add_branch(std::vector<Node>& nodes, std::uint32_t root, std::span<const Node> branch) {
+  const auto ahead = static_cast<std::uint32_t>(nodes.size() - 1);
+  for (std::size_t i = 0; i < branch.size(); ++i) {
+    Node& added = i == 0 ? nodes[root] : nodes.emplace_back();
+    added = branch[i];
+    if (added.count == 0) added.first += ahead;
+  }
+}
 
 }  // namespace
 
@@ -16,20 +31,17 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
     items[i] = {boxes[i].low + boxes[i].high, static_cast<std::uint32_t>(i)};
   nodes_.reserve(boxes.size());
   nodes_.emplace_back();
-  split(0, 0, items);
+  split(nodes_, 0, 0, items, boxes);
   order_.reserve(boxes.size()), boxes_.reserve(boxes.size());
   for (const Item& item : items) order_.push_back(item.index), boxes_.push_back(boxes[item.index]);
-  for (std::size_t n = nodes_.size(); n-- > 0;) {  // children come after their parents
-    TreeNode& node = nodes_[n];
-    for (std::uint32_t k = 0; k < node.count; ++k) node.box.add(boxes_[node.first + k]);
-    if (node.count == 0) node.box.add(nodes_[node.first].box), node.box.add(nodes_[node.first + 1].box);
-  }
 }
 
 /// `items` become those of the node, of which `first` is the position in order_.
-void BoxTree::split(std::uint32_t node, std::uint32_t first, std::span<Item> items) {
+void BoxTree::split(std::vector<TreeNode>& nodes, std::uint32_t node, std::uint32_t first, std::span<Item> items,
+                    std::span<const Box> boxes) {
   if (items.size() <= kLeafSize) {
-    nodes_[node].first = first, nodes_[node].count = static_cast<std::uint32_t>(items.size());
+    nodes[node].first = first, nodes[node].count = static_cast<std::uint32_t>(items.size());
+    for (const Item& item : items) nodes[node].box.add(boxes[item.index]);
     return;
   }
   Box centres;
@@ -42,12 +54,22 @@ void BoxTree::split(std::uint32_t node, std::uint32_t first, std::span<Item> ite
                      const double ca = a.twice_centre[axis], cb = b.twice_centre[axis];
                      return ca < cb || (ca == cb && a.index < b.index);
                    });
-  const auto child = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].first = child;
-  nodes_.emplace_back();
-  nodes_.emplace_back();
-  split(child, first, items.first(half));
-  split(child + 1, first + static_cast<std::uint32_t>(half), items.subspan(half));
+  const auto child = static_cast<std::uint32_t>(nodes.size());
+  const std::array<std::span<Item>, 2> part{items.first(half), items.subspan(half)};
+  const std::array<std::uint32_t, 2> first_of{first, first + static_cast<std::uint32_t>(half)};
+  nodes[node].first = child;
+  nodes.resize(nodes.size() + 2);
+  if (items.size() < kAtOnce) {
+    for (const std::uint32_t k : {0u, 1u}) split(nodes, child + k, first_of[k], part[k], boxes);
+  } else {
+    std::array<std::vector<TreeNode>, 2> branch;
+    tbb::parallel_for(0u, 2u, [&](std::uint32_t k) {
+      branch[k].reserve(part[k].size()), branch[k].emplace_back();
+      split(branch[k], 0, first_of[k], part[k], boxes);
+    });
+    for (const std::uint32_t k : {0u, 1u}) add_branch<TreeNode>(nodes, child + k, branch[k]);
+  }
+  for (const std::uint32_t k : {0u, 1u}) nodes[node].box.add(nodes[child + k].box);
 }
 
 bool BoxTree::meets(std::uint32_t n, const Box& box) const {

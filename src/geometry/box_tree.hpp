@@ -56,7 +56,9 @@ class BoxTree {
     Vec3 twice_centre;
     std::uint32_t index = 0;
   };
-  void split(std::uint32_t node, std::uint32_t first, std::span<Item> items);
+  /// Branches are built at the same time where they are large.
+  static void split(std::vector<TreeNode>& nodes, std::uint32_t node, std::uint32_t first, std::span<Item> items,
+                    std::span<const Box> boxes);
 
   template <class F>
   void visit(std::uint32_t n, const Box& box, F& f) const {
