@@ -20,7 +20,7 @@ namespace meshgraft {
                                       const std::array<std::uint32_t, 3>& vb, const Triangle& b);
 
 /// Pairs (smaller, larger) of faces, ascending, that meet beyond shared vertices and edges and of which
-/// at least one is marked in `fresh`. Faces without area are left out. Cost O(k log m + pairs of
+/// at least one is marked in `fresh`. Faces without area are left out. Cost O(m + k log k + pairs of
 /// overlapping boxes), k fresh faces; parallel, with the same answer for any number of threads.
 [[nodiscard]] std::vector<std::array<FaceId, 2>> intersecting_faces(const Complex& complex,
                                                                     std::span<const std::uint8_t> fresh);

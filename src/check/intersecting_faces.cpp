@@ -1,10 +1,8 @@
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
+#include <optional>
 
 #include "check/face_pairs.hpp"
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace meshgraft {
@@ -12,6 +10,8 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 using Pair = std::array<std::uint32_t, 2>;
+
+constexpr std::size_t kFaceBlock = 1024;  // faces compared with the tree in one go
 
 Box box_of(const Triangle& t) {
   Box box;
@@ -28,35 +28,33 @@ std::vector<Pair> intersecting_pairs(std::span<const Vec3> position, std::span<c
     return Triangle{position[v[0]], position[v[1]], position[v[2]]};
   };
   const auto is_fresh = [&](std::size_t f) { return fresh.empty() || fresh[f] != 0; };
+  const auto box = [&](std::size_t f) { return box_of(triangle(f)); };
 
-  std::vector<Box> boxes(faces.size());
-  std::vector<std::uint8_t> degenerate(faces.size());
-  std::vector<std::uint32_t> queries;
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
-    if (is_fresh(f)) queries.push_back(f);
-  if (queries.empty()) return {};
-  tbb::parallel_for(std::size_t{0}, faces.size(), [&](std::size_t f) {
-    boxes[f] = box_of(triangle(f));
-    degenerate[f] = is_degenerate(faces[f], triangle(f)) ? 1 : 0;
+  // Only fresh faces are in the tree: one of each pair is.
+  const auto in_tree = collected<std::uint32_t>(faces.size(), [&](std::size_t f, std::vector<std::uint32_t>& out) {
+    if (is_fresh(f) && !is_degenerate(faces[f], triangle(f))) out.push_back(static_cast<std::uint32_t>(f));
+  });
+  std::vector<Box> boxes(in_tree.size());
+  for_blocks(boxes.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) boxes[k] = box(in_tree[k]);
   });
   const BoxTree tree(boxes);
-
-  tbb::enumerable_thread_specific<std::vector<Pair>> found;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size()), [&](const auto& range) {
-    std::vector<Pair>& mine = found.local();
-    for (std::size_t q = range.begin(); q != range.end(); ++q) {
-      const std::uint32_t i = queries[q];
-      if (degenerate[i]) continue;
-      const Triangle t = triangle(i);
-      tree.overlapping(boxes[i], [&](std::uint32_t j) {
-        // A pair of fresh faces is met from both sides; it is taken from the smaller one.
-        if (j == i || (j < i && is_fresh(j)) || degenerate[j]) return;
-        if (meet_beyond_shared(faces[i], t, faces[j], triangle(j))) mine.push_back({std::min(i, j), std::max(i, j)});
-      });
-    }
-  });
-  std::vector<Pair> result;
-  for (const auto& mine : found) result.insert(result.end(), mine.begin(), mine.end());
+  std::vector<Pair> result = collected_near<Pair>(
+      faces.size(), box, [&](std::size_t, std::size_t, const Box& run) { return tree.meets(run); },
+      [&](std::size_t i, std::vector<Pair>& out) {
+        const auto f = static_cast<std::uint32_t>(i);
+        const Triangle t = triangle(f);
+        std::optional<bool> has_area;  // asked for if there is anything near
+        tree.overlapping(box_of(t), [&](std::uint32_t k) {
+          const std::uint32_t g = in_tree[k];
+          // A pair of fresh faces is met from both sides; it is taken from the smaller one.
+          if (g == f || (g < f && is_fresh(f))) return;
+          if (!has_area) has_area = !is_degenerate(faces[f], t);
+          if (*has_area && meet_beyond_shared(faces[f], t, faces[g], triangle(g)))
+            out.push_back({std::min(f, g), std::max(f, g)});
+        });
+      },
+      kFaceBlock);
   std::ranges::sort(result);
   return result;
 }

@@ -59,13 +59,16 @@ std::vector<T> collected(std::size_t n, F&& f, std::size_t block = kBlock) {
 
 /// The same without the runs for which near(first, last, box) is false.
 template <class T, class BoxOf, class Near, class F>
-std::vector<T> collected_near(std::size_t n, BoxOf&& box_of, Near&& near, F&& f) {
-  return collected_by_block<T>(n, [&](std::size_t first_of_block, std::size_t last_of_block, std::vector<T>& out) {
-    for_runs(first_of_block, last_of_block, box_of, [&](std::size_t first, std::size_t last, const Box& run) {
-      if (!near(first, last, run)) return;
-      for (std::size_t i = first; i < last; ++i) f(i, out);
-    });
-  });
+std::vector<T> collected_near(std::size_t n, BoxOf&& box_of, Near&& near, F&& f, std::size_t block = kBlock) {
+  return collected_by_block<T>(
+      n,
+      [&](std::size_t first_of_block, std::size_t last_of_block, std::vector<T>& out) {
+        for_runs(first_of_block, last_of_block, box_of, [&](std::size_t first, std::size_t last, const Box& run) {
+          if (!near(first, last, run)) return;
+          for (std::size_t i = first; i < last; ++i) f(i, out);
+        });
+      },
+      block);
 }
 
 }  // namespace meshgraft

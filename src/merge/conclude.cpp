@@ -57,10 +57,9 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   QualityVerdict quality;
   FidelityVerdict fidelity;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
-                       [&] {
-                         quality = quality_of(outcome, bad, options.min_quality);
-                         fidelity = fidelity_of(outcome, options.tolerance);
-                       });
+                       [&] { fidelity = fidelity_of(outcome, options.tolerance); },
+                       [&] { quality = quality_of(outcome, bad, options.min_quality); },
+                       [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
   report.quality = std::move(quality.summary);
@@ -82,7 +81,10 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   const Complex& final_complex = all_layers ? laid_out.complex : zone.remeshed.complex;
 
   watch.start("stitch", 0.8);
-  const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
+  std::vector<std::vector<GroupSum>> sums;
+  Stitched stitched;
+  tbb::parallel_invoke([&] { stitched = stitch(inputs, original, corefined, final_complex, graft); },
+                       [&] { sums = group_sums(inputs); });
   remove_elements(inputs, dropped.elements, graft);
   assign_node_groups(inputs, translated, final_complex, stitched, graft);
   Result<Labels> labels = labels_of(inputs, graft);
@@ -93,14 +95,13 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
                   graft,  merged.labels, dropped,  all_layers};
   outcome.fills = fills;
-  summarise(outcome, report);
   tell(zone.unfilled, report);
   judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
   Dropped overlaid = dropped;
   add_losses(corefined, final_complex, all_layers, translated, graft, overlaid);
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   if (!all_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
-  Ledger ledger = ledger_of(inputs, graft, overlaid);
+  Ledger ledger = ledger_of(inputs, sums, graft, overlaid);
   report.groups = std::move(ledger.groups);
   append(report.broken_promises, std::move(ledger.broken));
   append(report.warnings, std::move(ledger.warnings));

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 #include "merge/edges.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kSampleBlock = 1024;  // samples measured in one go
 
 /// The faces of one component that were removed, as they were and as their moved nodes have stretched them.
 class Reference {
@@ -61,32 +64,68 @@ class Measure {
   }
 
   FidelityVerdict run() {
-    corners();
-    edges();
-    const Complex& complex = outcome_.final_complex;
-    for (std::size_t f = 0; f < complex.n_faces(); ++f)
-      if (outcome_.is_new(FaceId(f))) look(centroid(complex.corners(FaceId(f))), FaceId(f));
-    const double allowed = std::max(limits_.max_relative, relative(tolerance_));
-    if (verdict_.figures.max_distance_relative > allowed)
-      verdict_.broken.push_back(
+    const std::vector<Sample> samples = all_samples();
+    std::vector<Worst> of_block((samples.size() + kSampleBlock - 1) / kSampleBlock);
+    for_blocks(
+        samples.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t k = first; k < last; ++k) look(samples[k], of_block[first / kSampleBlock]);
+        },
+        kSampleBlock);
+    Worst worst;
+    for (const Worst& w : of_block) worst.add(w);
+
+    FidelityVerdict verdict{worst.figures, {}};
+    const double allowed = std::max(limits_.max_relative, relative(tolerance_, worst.face));
+    if (worst.figures.max_distance_relative > allowed)
+      verdict.broken.push_back(
           {ErrorCode::kPromiseBroken,
-           outcome_.text(worst_) + " is " + text_of(verdict_.figures.max_distance) + " off the input surface, " +
-               text_of(100 * verdict_.figures.max_distance_relative) + " % of the edge length",
-           "give a smaller --size, so that the surface is followed more closely", outcome_.parent_place(worst_)});
-    return std::move(verdict_);
+           outcome_.text(worst.face) + " is " + text_of(worst.figures.max_distance) + " off the input surface, " +
+               text_of(100 * worst.figures.max_distance_relative) + " % of the edge length",
+           "give a smaller --size, so that the surface is followed more closely", outcome_.parent_place(worst.face)});
+    return verdict;
   }
 
  private:
+  /// A point of a new face.
+  struct Sample {
+    Vec3 point;
+    FaceId face;
+  };
+
+  /// The farthest sample, over the edge length, and the distances; of equal ones the first.
+  struct Worst {
+    Report::Fidelity figures;
+    FaceId face;
+
+    void add(const Worst& other) {
+      figures.max_distance = std::max(figures.max_distance, other.figures.max_distance);
+      if (other.figures.max_distance_relative <= figures.max_distance_relative) return;
+      figures.max_distance_relative = other.figures.max_distance_relative;
+      figures.at = other.figures.at, face = other.face;
+    }
+  };
+
   /// The tolerance over the edge length at the worst place. Each of several layers may be that far from the next.
-  double relative(const Tolerance& tolerance) const {
-    const double length = worst_.valid() ? outcome_.input_edge_length(worst_) : 1;
+  [[nodiscard]] double relative(const Tolerance& tolerance, FaceId worst) const {
+    const double length = worst.valid() ? outcome_.input_edge_length(worst) : 1;
     std::size_t gaps = 1;
     for (const Complex::Layers& layers : outcome_.final_complex.layers) gaps = std::max(gaps, layers.size());
     return static_cast<double>(gaps) * tolerance.at(length) / length;
   }
 
+  [[nodiscard]] std::vector<Sample> all_samples() const {
+    std::vector<Sample> samples;
+    add_corners(samples);
+    add_edges(samples);
+    const Complex& complex = outcome_.final_complex;
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      if (outcome_.is_new(FaceId(f))) samples.push_back({centroid(complex.corners(FaceId(f))), FaceId(f)});
+    return samples;
+  }
+
   /// Each vertex once for each component it has new faces of.
-  void corners() {
+  void add_corners(std::vector<Sample>& samples) const {
     const Complex& complex = outcome_.final_complex;
     std::vector<std::tuple<VertexId, std::uint32_t, FaceId>> uses;
     for (std::size_t f = 0; f < complex.n_faces(); ++f)
@@ -96,46 +135,44 @@ class Measure {
     for (std::size_t k = 0; k < uses.size(); ++k) {
       const auto [v, component, f] = uses[k];
       if (k > 0 && std::get<0>(uses[k - 1]) == v && std::get<1>(uses[k - 1]) == component) continue;
-      look(complex.position[v.value], f);
+      samples.push_back({complex.position[v.value], f});
     }
   }
 
   /// Each edge of a new face once for each component.
-  void edges() {
+  void add_edges(std::vector<Sample>& samples) const {
     const Complex& complex = outcome_.final_complex;
-    const std::vector<FaceOnEdge> uses = edge_uses(complex, changed_vertices(outcome_));
+    const std::vector<FaceOnEdge> uses = edge_uses(complex, outcome_.changed_vertex);
     for_each_edge(uses, [&](std::span<const FaceOnEdge> edge) {
       for (std::size_t k = 0; k < edge.size(); ++k) {
         const auto same_component = [&](const FaceOnEdge& e) {
           return outcome_.is_new(e.face) && complex.component[e.face.value] == complex.component[edge[k].face.value];
         };
         if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_component)) continue;
-        look(midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]), edge[k].face);
+        samples.push_back({midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]),
+                           edge[k].face});
       }
     });
   }
 
-  void look(Vec3 p, FaceId f) {
+  /// Most samples are no farther than the worst one so far, which is told sooner than their distance.
+  void look(const Sample& sample, Worst& worst) const {
+    const auto& [p, f] = sample;
     const Reference& reference = references_[outcome_.final_complex.component[f.value]];
     if (reference.empty()) return;
-    Report::Fidelity& worst = verdict_.figures;
     const double length = outcome_.input_edge_length(f);
-    const double known = std::min(worst.max_distance, worst.max_distance_relative * length);
+    const double known = std::min(worst.figures.max_distance, worst.figures.max_distance_relative * length);
     if (reference.is_within(p, std::max(known, limits_.negligible * length))) return;
     const double d = reference.distance(p);
-    worst.max_distance = std::max(worst.max_distance, d);
-    if (d <= worst.max_distance_relative * length) return;
-    worst.max_distance_relative = d / length;
-    worst.at = p;
-    worst_ = f;
+    Worst own{{}, f};
+    own.figures.max_distance = d, own.figures.max_distance_relative = d / length, own.figures.at = p;
+    worst.add(own);
   }
 
   const Outcome& outcome_;
   const Tolerance& tolerance_;
   const FidelityLimits& limits_;
   std::vector<Reference> references_;  // by component
-  FidelityVerdict verdict_;
-  FaceId worst_;
 };
 
 }  // namespace

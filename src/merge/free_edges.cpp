@@ -81,7 +81,7 @@ bool went_with_its_face(const Outcome& outcome, ElementRef face) {
 
 FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance, double max_distance) {
   const Complex &before = outcome.original, &after = outcome.final_complex;
-  const std::vector<std::uint8_t> changed = changed_vertices(outcome);
+  const std::vector<std::uint8_t>& changed = outcome.changed_vertex;
   const std::vector<NodeRef> unchanged = unchanged_nodes(outcome, changed);
   const std::vector<FaceOnEdge> old_edges = free_edges(before, changed_before(outcome, unchanged));
   const std::vector<FaceOnEdge> new_edges = free_edges(after, changed);

@@ -13,24 +13,9 @@ namespace {
 
 constexpr std::size_t kSumBlock = 65536;  // entities summed in one go: each block has a sum for each set of groups
 
-enum Kind : std::size_t { kNodes, kFaces, kLines, kOthers, kKinds };
+using Sum = GroupSum;
+using enum GroupSum::Kind;
 constexpr std::array<const char*, kKinds> kKindNames{"nodes", "faces", "lines", "other"};
-
-/// What a set of entities amounts to.
-struct Sum {
-  std::array<std::int64_t, kKinds> members{};
-  double area = 0, length = 0;
-
-  void add(const Sum& other, int sign = 1) {
-    for (std::size_t k = 0; k < kKinds; ++k) members[k] += sign * other.members[k];
-    area += sign * other.area, length += sign * other.length;
-  }
-  [[nodiscard]] std::uint64_t count() const {
-    std::int64_t n = 0;
-    for (const std::int64_t m : members) n += m;
-    return static_cast<std::uint64_t>(n);
-  }
-};
 
 Sum node() {
   Sum s;
@@ -237,10 +222,19 @@ void check(const GroupEntry& e, const Expected& expected, const LedgerOptions& o
 
 }  // namespace
 
-Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& beside, const LedgerOptions& options) {
-  const Dropped dropped = with_elements(inputs, graft, beside);
-  std::vector<std::vector<Sum>> sums;
+std::vector<std::vector<GroupSum>> group_sums(Inputs inputs) {
+  std::vector<std::vector<GroupSum>> sums;
   for (const Model* model : inputs) sums.push_back(sums_of(*model));
+  return sums;
+}
+
+Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& beside, const LedgerOptions& options) {
+  return ledger_of(inputs, group_sums(inputs), graft, beside, options);
+}
+
+Ledger ledger_of(Inputs inputs, std::span<const std::vector<GroupSum>> sums, const Graft& graft, const Dropped& beside,
+                 const LedgerOptions& options) {
+  const Dropped dropped = with_elements(inputs, graft, beside);
   const Change change = ChangeCounter(inputs, graft).run();
   Ledger ledger;
   for (std::size_t g = 0; g < graft.groups.size(); ++g) {

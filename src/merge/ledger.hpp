@@ -1,6 +1,9 @@
 // The account of every group: members, area and length before and after, and by which rule.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "merge/dropped.hpp"
@@ -21,8 +24,33 @@ struct Ledger {
   std::vector<Warning> warnings;   // groups that became empty because all their members were dropped
 };
 
-/// Adds up all groups; what was dropped is expected to be missing. Cost: one pass over the elements and nodes of each
-/// input that are in groups, independent of how many groups overlap; the change is added up over the graft alone.
+/// What a set of entities amounts to.
+struct GroupSum {
+  enum Kind : std::size_t { kNodes, kFaces, kLines, kOthers, kKinds };
+  std::array<std::int64_t, kKinds> members{};
+  double area = 0, length = 0;
+
+  void add(const GroupSum& other, int sign = 1) {
+    for (std::size_t k = 0; k < kKinds; ++k) members[k] += sign * other.members[k];
+    area += sign * other.area, length += sign * other.length;
+  }
+  [[nodiscard]] std::uint64_t count() const {
+    std::int64_t n = 0;
+    for (const std::int64_t m : members) n += m;
+    return static_cast<std::uint64_t>(n);
+  }
+};
+
+/// All groups of the inputs, [input][group of it]. Cost: one pass over the elements and nodes that are in groups,
+/// independent of how many groups overlap.
+[[nodiscard]] std::vector<std::vector<GroupSum>> group_sums(Inputs inputs);
+
+/// Adds the change up over the graft alone; what was dropped is expected to be missing.
+///
+///   before    of group_sums
+[[nodiscard]] Ledger ledger_of(Inputs inputs, std::span<const std::vector<GroupSum>> before, const Graft& graft,
+                               const Dropped& dropped = {}, const LedgerOptions& options = {});
+/// The same with the sums of the inputs made here.
 [[nodiscard]] Ledger ledger_of(Inputs inputs, const Graft& graft, const Dropped& dropped = {},
                                const LedgerOptions& options = {});
 

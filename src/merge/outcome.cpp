@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "merge/labels.hpp"
 
@@ -29,21 +30,22 @@ Place Outcome::parent_place(FaceId f) const {
   return place_of(*inputs[parent.input], parent.element);
 }
 
-std::vector<std::uint8_t> changed_vertices(const Outcome& outcome) {
-  std::vector<NodeRef> of_removed;  // ascending
-  for (std::uint32_t k = 0; k < outcome.inputs.size(); ++k)
-    for (const ElementId e : outcome.graft.removed_elements[k])
-      for (const NodeId n : outcome.inputs[k]->nodes_of(e)) of_removed.push_back({k, n});
-  std::sort(of_removed.begin(), of_removed.end());
-  of_removed.erase(std::unique(of_removed.begin(), of_removed.end()), of_removed.end());
+std::vector<std::uint8_t> changed_vertices(Inputs inputs, const Complex& final_complex, const Stitched& stitched,
+                                           const Graft& graft) {
+  std::vector<NodeRef> of_removed;
+  for (std::uint32_t k = 0; k < inputs.size(); ++k)
+    for (const ElementId e : graft.removed_elements[k])
+      for (const NodeId n : inputs[k]->nodes_of(e)) of_removed.push_back({k, n});
+  make_distinct(of_removed);
 
-  const Complex& complex = outcome.final_complex;
-  std::vector<std::uint8_t> changed(complex.n_vertices());
-  for (std::size_t v = 0; v < changed.size(); ++v)
-    changed[v] = complex.node[v].valid() && std::ranges::binary_search(of_removed, complex.node[v]) ? 1 : 0;
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (outcome.is_changed(FaceId(f)))
-      for (const VertexId v : complex.face[f]) changed[v.value] = 1;
+  std::vector<std::uint8_t> changed(final_complex.n_vertices());
+  for (std::size_t v = 0; v < changed.size(); ++v) {
+    const NodeRef node = final_complex.node[v];
+    changed[v] = node.valid() && std::ranges::binary_search(of_removed, node) ? 1 : 0;
+  }
+  for (std::size_t f = 0; f < final_complex.n_faces(); ++f)
+    if (stitched.changed[f] != 0)
+      for (const VertexId v : final_complex.face[f]) changed[v.value] = 1;
   return changed;
 }
 

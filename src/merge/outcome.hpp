@@ -15,6 +15,10 @@
 
 namespace meshgraft {
 
+/// Outcome::changed_vertex.
+[[nodiscard]] std::vector<std::uint8_t> changed_vertices(Inputs inputs, const Complex& final_complex,
+                                                         const Stitched& stitched, const Graft& graft);
+
 struct Outcome {
   Inputs inputs;
   const Components& components;
@@ -28,6 +32,9 @@ struct Outcome {
   const Dropped& dropped;
   bool all_layers = false;  // of faces stay, on the same nodes, where inputs lie on each other
   bool fills = false;       // new faces are in some of the groups of their parents, not in all
+  /// By vertex of the final complex: 1 where a face changed or was removed. Whatever changed has all
+  /// its corners marked.
+  std::vector<std::uint8_t> changed_vertex = changed_vertices(inputs, final_complex, stitched, graft);
 
   [[nodiscard]] bool is_new(FaceId f) const { return stitched.new_element[f.value] != Stitched::kKept; }
   /// New, or kept with a corner at another place.
@@ -41,9 +48,5 @@ struct Outcome {
   /// Where the parent of a face stands in the file of the user.
   [[nodiscard]] Place parent_place(FaceId f) const;
 };
-
-/// By vertex of the final complex: 1 where a face changed or was removed. Whatever changed has all
-/// its corners marked.
-[[nodiscard]] std::vector<std::uint8_t> changed_vertices(const Outcome& outcome);
 
 }  // namespace meshgraft

@@ -1,7 +1,10 @@
 #include "merge/result_check.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 
 #include "check/face_pairs.hpp"
@@ -16,23 +19,29 @@ constexpr const char* kHint = "look at the place in both inputs, and try another
 /// Findings of one kind; beyond a number of them they are only counted.
 class Findings {
  public:
-  Findings(std::vector<Error>& errors, std::size_t max_listed) : errors_(errors), max_listed_(max_listed) {}
-  ~Findings() {
-    if (n_ > max_listed_)
-      errors_.push_back(
-          {ErrorCode::kPromiseBroken, std::to_string(n_ - max_listed_) + " more findings like the last one", "", {}});
-  }
-  Findings(const Findings&) = delete;
-  Findings& operator=(const Findings&) = delete;
+  explicit Findings(std::size_t max_listed) : max_listed_(max_listed) {}
 
   void add(const std::string& what, Place place) {
     if (++n_ <= max_listed_) errors_.push_back({ErrorCode::kPromiseBroken, what, kHint, std::move(place)});
   }
+  [[nodiscard]] std::vector<Error> all() const {
+    std::vector<Error> errors = errors_;
+    if (n_ > max_listed_)
+      errors.push_back(
+          {ErrorCode::kPromiseBroken, std::to_string(n_ - max_listed_) + " more findings like the last one", "", {}});
+    return errors;
+  }
 
  private:
-  std::vector<Error>& errors_;
+  std::vector<Error> errors_;
   std::size_t max_listed_, n_ = 0;
 };
+
+ResultVerdict together(const Findings& first, const Findings& second) {
+  ResultVerdict both{first.all(), {}};
+  std::ranges::move(second.all(), std::back_inserter(both.broken));
+  return both;
+}
 
 class ResultCheck {
  public:
@@ -44,13 +53,18 @@ class ResultCheck {
         tolerance_(tolerance),
         limits_(limits) {}
 
+  /// All checks at the same time; their findings stand in the order of the checks.
   ResultVerdict run() {
-    intersections();
-    duplicates();
-    free_edges();
-    parents();
-    lost_nodes();
-    return {std::move(errors_), std::move(warnings_)};
+    std::array<ResultVerdict, 5> found;
+    tbb::parallel_invoke([&] { found[0] = intersections(); }, [&] { found[1] = duplicates(); },
+                         [&] { found[2] = free_edges(); }, [&] { found[3] = parents(); },
+                         [&] { found[4] = lost_nodes(); });
+    ResultVerdict all;
+    for (ResultVerdict& v : found) {
+      std::ranges::move(v.broken, std::back_inserter(all.broken));
+      std::ranges::move(v.warnings, std::back_inserter(all.warnings));
+    }
+    return all;
   }
 
  private:
@@ -80,12 +94,12 @@ class ResultCheck {
            std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
   }
 
-  void intersections() {
+  [[nodiscard]] ResultVerdict intersections() const {
     const auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
-    if (pairs.empty()) return;
+    if (pairs.empty()) return {};
     // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
     const std::vector<ParentPair> excused = outcome_.fills ? std::vector<ParentPair>{} : met_before();
-    Findings findings(errors_, limits_.max_listed);
+    Findings findings(limits_.max_listed);
     std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)
       if (std::ranges::binary_search(excused, parents_of(complex_, pair)))
@@ -93,34 +107,36 @@ class ResultCheck {
       else if (!are_layers(pair[0], pair[1]))
         findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",
                      outcome_.parent_place(pair[0]));
-    warn("input-intersects", met, " intersect in the input, and still do");
+    return {findings.all(), warning("input-intersects", met, " intersect in the input, and still do")};
   }
 
   /// One warning for all pairs, with the parents of the first.
-  void warn(const std::string& name, std::span<const std::array<FaceId, 2>> pairs, const std::string& what) {
-    if (pairs.empty()) return;
+  [[nodiscard]] std::vector<Warning> warning(const std::string& name, std::span<const std::array<FaceId, 2>> pairs,
+                                             const std::string& what) const {
+    if (pairs.empty()) return {};
     const auto& [a, b] = pairs.front();
     const auto parent = [&](FaceId f) { return text_of(outcome_.inputs, complex_.parent[f.value]); };
     std::string text = parent(a) + " and " + parent(b) + " at " + text_of(centroid(complex_.corners(b))) + what;
     if (pairs.size() > 1) text += "; so do " + std::to_string(pairs.size() - 1) + " more pairs";
-    warnings_.push_back({name, std::move(text), outcome_.parent_place(b)});
+    return {{name, std::move(text), outcome_.parent_place(b)}};
   }
 
   /// Whether something at a corner of the face changed.
-  [[nodiscard]] bool is_at_zone(FaceId f, std::span<const std::uint8_t> changed) const {
-    return std::ranges::any_of(complex_.face[f.value], [&](VertexId v) { return changed[v.value] != 0; });
+  [[nodiscard]] bool is_at_zone(FaceId f) const {
+    return std::ranges::any_of(complex_.face[f.value],
+                               [&](VertexId v) { return outcome_.changed_vertex[v.value] != 0; });
   }
 
-  void duplicates() {
+  [[nodiscard]] ResultVerdict duplicates() const {
     std::vector<std::pair<std::array<VertexId, 3>, FaceId>> keys;
     for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
+      if (!is_at_zone(FaceId(f))) continue;
       auto v = complex_.face[f];
       std::sort(v.begin(), v.end());
       keys.emplace_back(v, FaceId(f));
     }
     std::sort(keys.begin(), keys.end());
-    Findings findings(errors_, limits_.max_listed);
-    const std::vector<std::uint8_t> changed = changed_vertices(outcome_);
+    Findings findings(limits_.max_listed);
     std::vector<std::array<FaceId, 2>> left;
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
@@ -128,15 +144,15 @@ class ResultCheck {
       if (outcome_.is_changed(a) || outcome_.is_changed(b))
         findings.add(outcome_.text(a) + " and " + outcome_.text(b) + " are on the same nodes",
                      outcome_.parent_place(b));
-      else if (is_at_zone(a, changed))
+      else
         left.push_back({a, b});
     }
-    warn("doubled-face", left, " stand on the same nodes and were left as they are");
+    return {findings.all(), warning("doubled-face", left, " stand on the same nodes and were left as they are")};
   }
 
-  void free_edges() {
+  [[nodiscard]] ResultVerdict free_edges() const {
     const FreeEdgeChanges changes = free_edge_changes(outcome_, tolerance_, limits_.free_edge_distance);
-    Findings cracks(errors_, limits_.max_listed), closed(errors_, limits_.max_listed);
+    Findings cracks(limits_.max_listed), closed(limits_.max_listed);
     for (const FaceOnEdge& e : changes.cracks)
       cracks.add("the edge of " + outcome_.text(e.face) + " around " +
                      text_of(midpoint(complex_.position[e.low.value], complex_.position[e.high.value])) +
@@ -149,10 +165,11 @@ class ResultCheck {
                      text_of(midpoint(before.position[e.low.value], before.position[e.high.value])) + " is gone",
                  place_of(*outcome_.inputs[parent.input], parent.element));
     }
+    return together(cracks, closed);
   }
 
-  void parents() {
-    Findings turned(errors_, limits_.max_listed), groups(errors_, limits_.max_listed);
+  [[nodiscard]] ResultVerdict parents() {
+    Findings turned(limits_.max_listed), groups(limits_.max_listed);
     for (std::size_t k = 0; k < complex_.n_faces(); ++k) {
       const FaceId f(k);
       if (!outcome_.is_changed(f)) continue;
@@ -172,10 +189,11 @@ class ResultCheck {
             outcome_.text(f) + " is not in the groups of " + text_of(outcome_.inputs, parent) + ", which it replaces",
             outcome_.parent_place(f));
     }
+    return together(turned, groups);
   }
 
-  void lost_nodes() {
-    Findings findings(errors_, limits_.max_listed);
+  [[nodiscard]] ResultVerdict lost_nodes() const {
+    Findings findings(limits_.max_listed);
     for (const NodeRef n : outcome_.stitched.lost_nodes) {
       const Model& model = *outcome_.inputs[n.input];
       findings.add("node " + std::to_string(model.node_label[n.node.value]) + " of " + model.path + " at " +
@@ -183,6 +201,7 @@ class ResultCheck {
                        " is used by other elements and was not kept in the mesh",
                    place_of(model, n.node));
     }
+    return {findings.all(), {}};
   }
 
   const Outcome& outcome_;
@@ -190,8 +209,6 @@ class ResultCheck {
   SetTranslation& translated_;
   const Tolerance& tolerance_;
   const ResultCheckLimits& limits_;
-  std::vector<Error> errors_;
-  std::vector<Warning> warnings_;
 };
 
 }  // namespace

@@ -3,17 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "core/blocks.hpp"
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
 namespace {
 
-/// Ascending, without repeats.
-template <class T>
-void make_set(std::vector<T>& v) {
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
-}
+constexpr std::size_t kFaceBlock = 2048;  // faces compared with their parents in one go
 
 template <class T>
 bool contains(const std::vector<T>& set, const T& x) {
@@ -160,15 +157,23 @@ class Stitcher {
     out_.new_element.assign(final_.n_faces(), Stitched::kKept);
     out_.changed.assign(final_.n_faces(), 0);
     const auto n_faces = static_cast<std::uint32_t>(final_.n_faces());
+    std::vector<std::uint8_t> kept(n_faces);
+    for_blocks(
+        n_faces,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t f = first; f < last; ++f) {
+            kept[f] = is_kept_face(f) ? 1 : 0;
+            out_.changed[f] = kept[f] == 0 || is_moved_face(f) ? 1 : 0;
+          }
+        },
+        kFaceBlock);
     std::vector<std::pair<ElementRef, std::uint32_t>> fresh;  // faces, then lines
     for (std::uint32_t f = 0; f < n_faces; ++f) {
-      const bool kept = is_kept_face(f);
-      if (kept)
+      if (kept[f] != 0)
         kept_.push_back(final_.parent[f]);
       else
         fresh.emplace_back(final_.parent[f], f);
-      if (kept && !final_.layers_of(FaceId(f)).empty()) join_groups(f);
-      out_.changed[f] = !kept || is_moved_face(f) ? 1 : 0;
+      if (kept[f] != 0 && !final_.layers_of(FaceId(f)).empty()) join_groups(f);
     }
     for (std::uint32_t k = 0; k < final_.lines.size(); ++k)
       if (is_kept_line(final_.lines[k]))
@@ -177,7 +182,7 @@ class Stitcher {
         fresh.emplace_back(final_.lines[k].parent, n_faces + k);
     std::ranges::sort(graft_.joined_elements, {}, &Graft::JoinedElement::element);
     std::sort(fresh.begin(), fresh.end());
-    make_set(kept_);
+    make_distinct(kept_);
     for (const auto& [parent, item] : fresh) {
       if (item < n_faces) out_.new_element[item] = static_cast<std::uint32_t>(new_items_.size());
       new_items_.push_back(item);
@@ -225,7 +230,7 @@ class Stitcher {
   void remove_elements() {
     std::vector<ElementRef> before = original_.parent;
     for (const Complex::Line& line : original_.lines) before.push_back(line.parent);
-    make_set(before);
+    make_distinct(before);
     graft_.removed_elements.resize(inputs_.size());
     for (const ElementRef e : before)
       if (!contains(kept_, e)) graft_.removed_elements[e.input].push_back(e.element);
@@ -239,7 +244,7 @@ class Stitcher {
     };
     for (const auto& face : final_.face) std::ranges::for_each(face, use);
     for (const Complex::Line& line : final_.lines) std::ranges::for_each(line.ends, use);
-    make_set(used);
+    make_distinct(used);
 
     std::vector<NodeRef> removed;
     for (std::size_t v = 0; v < original_.n_vertices(); ++v) {
@@ -250,8 +255,8 @@ class Stitcher {
       if (must_stay && !replaced && !vertex_of(n).valid()) out_.lost_nodes.push_back(n);
       if (!must_stay || replaced) removed.push_back(n);
     }
-    make_set(removed);
-    make_set(out_.lost_nodes);
+    make_distinct(removed);
+    make_distinct(out_.lost_nodes);
     graft_.removed_nodes.resize(inputs_.size());
     for (const NodeRef n : removed) graft_.removed_nodes[n.input].push_back(n.node);
   }
