@@ -33,14 +33,18 @@ std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double
   std::vector<Box> boxes(complex.n_faces()), in_tree;
   std::vector<FaceId> tree_face;
   const std::uint32_t largest = largest_component(complex);  // not in the tree: it meets nothing of itself
-  for (std::size_t f = 0; f < boxes.size(); ++f) {
-    for (const Vec3 p : complex.corners(FaceId(f))) boxes[f].add(p);
-    boxes[f] = boxes[f].grown(kReach * rule.at(size[f]).asked);
+  for_blocks(boxes.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) {
+      for (const Vec3 p : complex.corners(FaceId(f))) boxes[f].add(p);
+      boxes[f] = boxes[f].grown(kReach * rule.at(size[f]).asked);
+    }
+  });
+  for (std::size_t f = 0; f < boxes.size(); ++f)
     if (complex.component[f] != largest) in_tree.push_back(boxes[f]), tree_face.emplace_back(f);
-  }
   const BoxTree tree(in_tree);
-  const auto pairs = collected<std::array<FaceId, 2>>(
-      boxes.size(),
+  const auto pairs = collected_near<std::array<FaceId, 2>>(
+      boxes.size(), [&](std::size_t f) { return boxes[f]; },
+      [&](std::size_t, std::size_t, const Box& run) { return tree.meets(run); },
       [&](std::size_t f, auto& out) {
         const std::uint32_t c = complex.component[f];
         tree.overlapping(boxes[f], [&](std::uint32_t i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/blocks.hpp"
 #include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
 
@@ -14,6 +15,7 @@ constexpr double kBeside = 0.1;   // of the edge length: largest shift along a s
 constexpr double kMost = 0.5;     // share of a common area within the gap from which faces lie on each other
 constexpr double kNoArea = 1e-6;  // share of the smaller face below which a common area is none
 constexpr double kLeaning = 0.3;  // of the height: how far beside a border a point may be that lies above it
+constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
 
 /// The part of a convex polygon where `inside` (linear) is not negative.
 template <class F>
@@ -115,25 +117,27 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
     CommonArea area;
     bool is_beside = false;
   };
-  std::vector<Found> found;
-  std::map<FaceId, CommonArea> of_face;
-  for (std::size_t i = 0; i < a.faces.size(); ++i) {
-    const Triangle t = complex.corners(a.faces[i]);
-    const Vec3 n = unit_normal(t);
-    tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
-      const FaceId f = a.faces[i], g = b.faces[j];
-      const Triangle u = complex.corners(g);
-      const Vec3 m = unit_normal(u);
-      if (!rule.is_flat(n, m)) return;
-      const double smaller = std::min(size[f.value], size[g.value]);
-      const Reach heights = heights_on(f, g, dot(n, m) > 0, rule.gap(smaller), reach);
-      if (within({u.begin(), u.end()}, t, heights).empty()) return;
-      const CommonArea area = common_area(t, u, heights);
-      const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, heights).empty();
-      found.push_back({{f, g}, area, is_beside});
-    });
-  }
+  auto found = collected<Found>(
+      a.faces.size(),
+      [&](std::size_t i, std::vector<Found>& out) {
+        const Triangle t = complex.corners(a.faces[i]);
+        const Vec3 n = unit_normal(t);
+        tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
+          const FaceId f = a.faces[i], g = b.faces[j];
+          const Triangle u = complex.corners(g);
+          const Vec3 m = unit_normal(u);
+          if (!rule.is_flat(n, m)) return;
+          const double smaller = std::min(size[f.value], size[g.value]);
+          const Reach heights = heights_on(f, g, dot(n, m) > 0, rule.gap(smaller), reach);
+          if (within({u.begin(), u.end()}, t, heights).empty()) return;
+          const CommonArea area = common_area(t, u, heights);
+          const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, heights).empty();
+          out.push_back({{f, g}, area, is_beside});
+        });
+      },
+      kFaceBlock);
   std::ranges::sort(found, {}, &Found::pair);
+  std::map<FaceId, CommonArea> of_face;
   for (const Found& f : found)
     for (const FaceId face : f.pair) of_face[face].add(f.area);
   // Planes that cross are near each other along a strip: a face lies on the other side as a whole.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/assembly.hpp"
@@ -21,9 +22,10 @@ double largest_coordinate(const Complex& complex) {
 }
 
 std::vector<double> mean_edge_lengths(const Complex& complex) {
-  std::vector<double> size;
-  size.reserve(complex.n_faces());
-  for (std::size_t f = 0; f < complex.n_faces(); ++f) size.push_back(mean_edge_length(complex.corners(FaceId(f))));
+  std::vector<double> size(complex.n_faces());
+  for_blocks(size.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f < last; ++f) size[f] = mean_edge_length(complex.corners(FaceId(f)));
+  });
   return size;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "core/distinct.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
@@ -10,6 +11,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
 constexpr double kLargestSnap = 0.25;  // of the local edge length, whatever tolerance is asked for
 // Shares of the largest coordinate. What arithmetic on coordinates costs is below the first; welding
 // nearer than the second would decide by rounding.
@@ -147,13 +149,16 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
   const BoxedFaces a = faces_in(complex, first, within, size, rule);
   const BoxedFaces b = faces_in(complex, second, a.all, size, rule);
   const BoxTree tree(b.boxes);
-  std::vector<std::array<FaceId, 2>> pairs;
-  for (std::size_t i = 0; i < a.faces.size(); ++i)
-    tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
-      const FaceId f = a.faces[i], g = b.faces[j];
-      const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).asked;
-      if (!is_beside(complex, f, g, gap) && !is_beside(complex, g, f, gap)) pairs.push_back({f, g});
-    });
+  auto pairs = collected<std::array<FaceId, 2>>(
+      a.faces.size(),
+      [&](std::size_t i, auto& out) {
+        tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
+          const FaceId f = a.faces[i], g = b.faces[j];
+          const double gap = 2 * rule.at(std::min(size[f.value], size[g.value])).asked;
+          if (!is_beside(complex, f, g, gap) && !is_beside(complex, g, f, gap)) out.push_back({f, g});
+        });
+      },
+      kFaceBlock);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

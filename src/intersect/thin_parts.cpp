@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/blocks.hpp"
 #include "core/text.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
 
 bool are_neighbours(const Complex& complex, FaceId f, FaceId g) {
   return std::ranges::find_first_of(complex.face[f.value], complex.face[g.value]) != complex.face[f.value].end();
@@ -24,15 +27,16 @@ std::vector<FaceId> doubtful_faces(const Complex& complex, std::span<const FaceI
     normal.push_back(unit_normal(complex.corners(faces[i])));
   }
   const BoxTree tree(boxes);
-  std::vector<FaceId> doubtful;
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    bool found = false;
-    tree.overlapping(boxes[i].grown(rule.gap(size[faces[i].value])), [&](std::uint32_t j) {
-      found = found || (rule.is_flat(normal[i], normal[j]) && !are_neighbours(complex, faces[i], faces[j]));
-    });
-    if (found) doubtful.push_back(faces[i]);
-  }
-  return doubtful;
+  return collected<FaceId>(
+      faces.size(),
+      [&](std::size_t i, std::vector<FaceId>& doubtful) {
+        bool found = false;
+        tree.overlapping(boxes[i].grown(rule.gap(size[faces[i].value])), [&](std::uint32_t j) {
+          found = found || (rule.is_flat(normal[i], normal[j]) && !are_neighbours(complex, faces[i], faces[j]));
+        });
+        if (found) doubtful.push_back(faces[i]);
+      },
+      kFaceBlock);
 }
 
 /// From the corners of each to the other.
