@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
@@ -37,11 +38,14 @@ Result<void> check_options(const MergeOptions& o) {
 }
 
 Result<void> check_numbers(const Model& model) {
-  const auto bad = std::ranges::find_if_not(model.position, is_finite);
-  if (bad == model.position.end()) return {};
-  const NodeId node(static_cast<std::size_t>(bad - model.position.begin()));
+  const auto bad = collected<NodeId>(model.n_nodes(), [&](std::size_t n, std::vector<NodeId>& out) {
+    if (!is_finite(model.position[n])) out.emplace_back(n);
+  });
+  if (bad.empty()) return {};
+  const NodeId node = bad.front();
   return failure(ErrorCode::kBadNumber,
-                 "node " + std::to_string(model.node_label[node.value]) + " is at " + text_of(*bad),
+                 "node " + std::to_string(model.node_label[node.value]) + " is at " +
+                     text_of(model.position[node.value]),
                  "a coordinate must be a finite number", place_of(model, node));
 }
 

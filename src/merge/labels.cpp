@@ -16,13 +16,11 @@ constexpr std::int64_t kLargestElsewhere = std::numeric_limits<std::int32_t>::ma
 class LabelRuns {
  public:
   explicit LabelRuns(std::span<const std::int64_t> labels) {
-    if (std::ranges::is_sorted(labels)) {
-      add(labels);
-    } else {
-      std::vector<std::int64_t> sorted(labels.begin(), labels.end());
-      std::ranges::sort(sorted);
-      add(sorted);
-    }
+    if (add(labels)) return;
+    std::vector<std::int64_t> sorted(labels.begin(), labels.end());
+    std::ranges::sort(sorted);
+    runs_.clear();
+    add(sorted);
   }
 
   [[nodiscard]] bool contains(std::int64_t label) const {
@@ -37,11 +35,14 @@ class LabelRuns {
     std::int64_t first, last;
   };
 
-  void add(std::span<const std::int64_t> ascending) {
-    for (const std::int64_t label : ascending) {
+  /// False if the labels do not ascend.
+  bool add(std::span<const std::int64_t> labels) {
+    for (const std::int64_t label : labels) {
+      if (!runs_.empty() && label < runs_.back().last) return false;
       if (runs_.empty() || label > runs_.back().last + 1) runs_.push_back({label, label});
       runs_.back().last = label;
     }
+    return true;
   }
 
   std::vector<Run> runs_;  // ascending
