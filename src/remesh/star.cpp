@@ -31,7 +31,7 @@ struct Shape {
 double face_cost(double q, double mean_edge, double wanted) {
   if (q <= kFlat) return kInfinite;
   const double flatness = (1 - q) / (q + kFlatCost);
-  const double misfit = std::log(mean_edge / wanted);
+  const double misfit = 2 * (mean_edge - wanted) / (mean_edge + wanted);  // the logarithm of the ratio, to third order
   return flatness * flatness + kSizeWeight * misfit * misfit;
 }
 
