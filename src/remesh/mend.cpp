@@ -16,6 +16,20 @@ constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a c
 constexpr int kLeastRegularGain = 3;  // of an edge: excess of its ends less that opposite; 3 lowers the sum of squares
 constexpr double kIdealAngle = std::numbers::pi / 3;  // of a corner of a face
 
+/// Which ids were seen since it was last told to forget.
+class Sightings {
+ public:
+  void forget() { ++round_; }
+  bool is_first(std::size_t id) {
+    if (id >= last_.size()) last_.resize(2 * id + 1, 0);
+    return std::exchange(last_[id], round_) != round_;
+  }
+
+ private:
+  std::vector<std::uint32_t> last_;  // by id: the round it was last seen in
+  std::uint32_t round_ = 1;
+};
+
 class Mender {
  public:
   Mender(Editor& editor, double target) : editor_(editor), target_(target) {}
@@ -108,24 +122,23 @@ class Mender {
   bool is_poor(FaceId f) { return mesh().face(f).q < target_ || editor_.deviation(f) > 1; }
 
   /// All vertices of faces on the given vertices, ascending.
-  [[nodiscard]] std::vector<VertexId> ring(std::span<const VertexId> of) const {
+  [[nodiscard]] std::vector<VertexId> ring(std::span<const VertexId> of) {
     std::vector<VertexId> all;
+    seen_vertices_.forget();
     for (const VertexId v : of)
-      for (const FaceId f : mesh().star(v)) all.insert(all.end(), mesh().face(f).v.begin(), mesh().face(f).v.end());
+      for (const FaceId f : mesh().star(v))
+        for (const VertexId w : mesh().face(f).v)
+          if (seen_vertices_.is_first(w.value)) all.push_back(w);
     std::ranges::sort(all);
-    const auto repeated = std::ranges::unique(all);
-    all.erase(repeated.begin(), repeated.end());
     return all;
   }
 
   double cost_around(std::span<const VertexId> vertices) {
-    faces_.clear();
+    faces_.clear(), seen_faces_.forget();
     for (const VertexId v : vertices)
       for (const FaceId f : mesh().star(v))
-        if (mesh().face(f).in_zone) faces_.push_back(f);
+        if (mesh().face(f).in_zone && seen_faces_.is_first(f.value)) faces_.push_back(f);
     std::ranges::sort(faces_);
-    const auto repeated = std::ranges::unique(faces_);
-    faces_.erase(repeated.begin(), repeated.end());
     double sum = editor_.cost(faces_);
     for (const FaceId f : faces_) sum += kDeviationWeight * std::max(0.0, editor_.deviation(f) - 1);
     return sum;
@@ -190,6 +203,7 @@ class Mender {
   VertexId added_;                     // by the split under trial
   std::vector<std::uint8_t> waiting_;  // by vertex: to be regularised, for something around it has changed
   std::vector<FaceId> faces_;
+  Sightings seen_vertices_, seen_faces_;
 };
 
 }  // namespace
