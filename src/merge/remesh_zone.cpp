@@ -1,8 +1,11 @@
 #include "merge/remesh_zone.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "geometry/quality.hpp"
@@ -79,16 +82,24 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   const Complex& complex = corefined.complex;
   BrepOptions brep_options;
   brep_options.original = &original;
-  const Brep brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups, brep_options);
   SizeOptions size_options;
   size_options.junction_size = options.size, size_options.kept = corefined.kept;
-  const SizeField size(original, complex, brep, size_options);
+  Brep brep;
+  std::optional<SizeField> field;
+  std::optional<InputFaces> inputs;
+  tbb::parallel_invoke(
+      [&] {
+        brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups, brep_options);
+        field.emplace(original, complex, brep, size_options);
+      },
+      [&] { inputs.emplace(corefined); });
+  const SizeField& size = *field;
   RemeshOptions remesh_options;
   remesh_options.min_quality = options.min_quality;
 
   if (options.method == Method::kPaper) {
     const Zone zone =
-        options.bandwidth ? neighbourhoods(corefined, brep, size, options.bandwidth) : paper_zone(corefined);
+        options.bandwidth ? neighbourhoods(corefined, *inputs, size, options.bandwidth) : paper_zone(corefined);
     RemeshedByPaper paper = remesh_by_paper(complex, brep, size, zone.in_zone, groups, options.blend, remesh_options);
     return {std::move(paper.remeshed), zone.bandwidth, 0, std::move(paper.unfilled)};
   }
@@ -96,7 +107,7 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
     return Attempt{std::move(zone), std::move(remeshed)};
   };
-  const auto zone_of = [&](int more) { return neighbourhoods(corefined, brep, size, options.bandwidth, more); };
+  const auto zone_of = [&](int more) { return neighbourhoods(corefined, *inputs, size, options.bandwidth, more); };
 
   const bool alike = size_ratio(original, corefined) < limits.alike;
   const double wanted = alike ? limits.mean_alike : limits.mean_graded;
@@ -120,7 +131,7 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   const int most = std::max(limits.max_neighbourhoods, automatic + limits.beyond);
   std::vector<Vec3> places = mendable_places(best.remeshed);
   for (int round = 1; round <= limits.max_rounds && !places.empty(); ++round) {
-    if (!widen(zone, corefined, size, places, most)) break;
+    if (!widen(zone, corefined, *inputs, size, places, most)) break;
     Attempt wider = attempt(zone);
     places = mendable_places(wider.remeshed);
     if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))

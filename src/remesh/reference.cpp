@@ -1,5 +1,7 @@
 #include "remesh/reference.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,12 +28,12 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
     if (std::ranges::any_of(complex.face[f], [&](VertexId v) { return near[v.value] != 0; }))
       faces_[brep.sheet_of_face[f].value].emplace_back(f);
-  for (std::size_t s = 0; s < faces_.size(); ++s) {
+  tbb::parallel_for(std::size_t{0}, faces_.size(), [&](std::size_t s) {
     std::vector<Box> boxes(faces_[s].size());
     for (std::size_t k = 0; k < boxes.size(); ++k)
       for (const Vec3 p : complex.corners(faces_[s][k])) boxes[k].add(p);
     trees_[s] = BoxTree(boxes);
-  }
+  });
   const Parents parents(complex);
   const std::vector<Vec3> area_vector = area_vectors(parents, complex);
   edge_length_.reserve(complex.n_faces());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "zone/ruler.hpp"
 
 namespace meshgraft {
@@ -11,6 +12,7 @@ namespace {
 constexpr double kLeastKept = 0.7, kMostKept = 1.4;  // spacing of input nodes that is left alone, share of the wanted
 constexpr double kReuse = 0.1;      // a vertex nearer to a wanted node than this share of the spacing is it
 constexpr double kReuseNode = 0.2;  // the same for a node of the input
+constexpr std::size_t kSizeBlock = 64;  // places at which the size is asked for in one go
 constexpr int kRemovalRounds = 4;   // a removal may have to wait for its neighbours
 
 /// A vertex of a curve at its arc length, counted on through the start of a closed curve.
@@ -70,7 +72,13 @@ class Resampler {
     for (std::size_t k = 0; k < knots.size(); ++k)
       if (knots[k].keep || is_input_node(knots[k].v)) anchors.push_back(k);
     std::vector<std::uint8_t> bad(anchors.size() - 1);  // by gap between anchors
-    for (std::size_t g = 0; g < bad.size(); ++g) bad[g] = !well_spaced(c, knots[anchors[g]], knots[anchors[g + 1]]);
+    for_blocks(
+        bad.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t g = first; g < last; ++g)
+            bad[g] = !well_spaced(c, knots[anchors[g]], knots[anchors[g + 1]]);
+        },
+        kSizeBlock);
     if (closed && std::ranges::count(bad, 1) > 0) std::ranges::fill(bad, std::uint8_t{1});
     std::vector<std::uint8_t> redo = bad;  // one gap more on either side, so that spacing can even out
     for (std::size_t g = 0; g + 1 < bad.size(); ++g) redo[g] |= bad[g + 1], redo[g + 1] |= bad[g];
@@ -110,8 +118,14 @@ class Resampler {
   }
 
   void place(CurveId c, std::vector<Knot>& knots, std::span<const double> wanted) {
-    for (const double arc : wanted) {
-      const double spacing = sizing_.on_curve(c, editor_.reference().point(c, arc));
+    const auto spacings = collected<double>(
+        wanted.size(),
+        [&](std::size_t i, std::vector<double>& out) {
+          out.push_back(sizing_.on_curve(c, editor_.reference().point(c, wanted[i])));
+        },
+        kSizeBlock);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double arc = wanted[i], spacing = spacings[i];
       const auto after = std::ranges::lower_bound(knots, arc, {}, &Knot::arc);
       Knot* nearest = nullptr;
       const auto consider = [&](Knot& k) {

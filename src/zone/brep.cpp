@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 #include "zone/chains.hpp"
 #include "zone/curve_edges.hpp"
@@ -16,6 +17,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kVertexBlock = 4096;  // vertices judged in one go
 constexpr double kTurnReach = 0.1;     // share of the edge length of the parents over which a turn is measured
 constexpr double kPlaneShare = 1e-9;   // of the size of a sheet: what rounding leaves of a plane
 constexpr double kPulledShare = 0.01;  // of the mean edge length: how far the border may stand off the plane
@@ -77,7 +79,6 @@ class Reader {
         area_vector_(area_vectors(parents_, complex)),
         curves_(curve_edges(complex, edges_, parents_, junction_edges, options)),
         degree_(edges_, curves_, complex.n_vertices()),
-        fans_(complex, edges_, curves_),
         corner_(complex.n_vertices(), 0) {
     for (const VertexId v : junction_points) corner_[v.value] = 1;
     if (options.original != nullptr) originals_.emplace(*options.original);
@@ -104,18 +105,26 @@ class Reader {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       if (curves_.fixed[e])
         for (const VertexId v : edges_.ends(EdgeId(e))) corner_[v.value] = 1;
-    for (std::size_t i = 0; i < complex_.n_vertices(); ++i)
-      if (!corner_[i] && is_corner(VertexId(i))) corner_[i] = 1;
+    for_blocks(
+        complex_.n_vertices(),
+        [&](std::size_t first, std::size_t last) {
+          Fans fans(complex_, edges_, curves_);
+          for (std::size_t i = first; i < last; ++i)
+            if (!corner_[i] && is_corner(VertexId(i), fans)) corner_[i] = 1;
+        },
+        kVertexBlock);
+    for (std::size_t i = 0; i < complex_.n_vertices(); ++i)  // one by one: makes group sets
+      if (!corner_[i] && is_explicit(VertexId(i))) corner_[i] = 1;
   }
 
-  bool is_corner(VertexId v) {
+  [[nodiscard]] bool is_corner(VertexId v, Fans& fans) const {
     const auto faces = faces_at_[v];
     if (faces.empty() || complex_.state[v.value] != VertexState::kOpen) return true;
     const std::uint32_t degree = degree_.count[v.value];
     if (degree != 0 && !degree_.passes(v, curves_)) return true;
     // A curve that passes has one fan on each of its sides; more is a point where surfaces touch.
     const std::size_t sides = degree == 0 ? 1 : edges_.uses(degree_.around[v.value][0]).size();
-    return fans_.count(v, faces) != sides || bends_lines(v) || is_explicit(v);
+    return fans.count(v, faces) != sides || bends_lines(v);
   }
 
   /// Whether 1D elements meet here at an angle: each is straight, so their bends are nodes.
@@ -278,7 +287,6 @@ class Reader {
   std::vector<Vec3> area_vector_;  // by parent
   CurveEdges curves_;
   CurveDegree degree_;
-  Fans fans_;
   std::vector<std::uint8_t> corner_;  // by vertex
   std::optional<OriginalFaces> originals_;
 };

@@ -7,7 +7,6 @@
 
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
-#include "zone/input_faces.hpp"
 
 namespace meshgraft {
 namespace {
@@ -132,9 +131,8 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
 
 }  // namespace
 
-Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& size, std::optional<int> bandwidth,
-                    int more) {
-  const InputFaces inputs(corefined);
+Zone neighbourhoods(const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
+                    std::optional<int> bandwidth, int more) {
   std::vector<int> least;
   if (!bandwidth) least = automatic(corefined, inputs);
   Zone zone;
@@ -162,8 +160,8 @@ Zone neighbourhoods(const Corefined& corefined, const Brep&, const SizeField& si
   return zone;
 }
 
-bool widen(Zone& zone, const Corefined& corefined, const SizeField& size, std::span<const Vec3> places, int limit) {
-  const InputFaces inputs(corefined);
+bool widen(Zone& zone, const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
+           std::span<const Vec3> places, int limit) {
   const std::vector<int> ring = inputs.rings(limit);
   const ZoneFaces zone_faces(corefined, zone.in_zone);
   std::vector<std::uint8_t> taken(inputs.size(), 0);

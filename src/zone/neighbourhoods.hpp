@@ -7,7 +7,7 @@
 
 #include "core/complex.hpp"
 #include "intersect/corefine.hpp"
-#include "zone/brep.hpp"
+#include "zone/input_faces.hpp"
 #include "zone/size_field.hpp"
 
 namespace meshgraft {
@@ -33,11 +33,14 @@ struct Zone {
 ///
 /// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
 /// and never if one of them has a kFrozen vertex or lies on the vertices of another face.
-[[nodiscard]] Zone neighbourhoods(const Corefined& corefined, const Brep& brep, const SizeField& size,
+///
+/// `inputs`: of the corefined complex.
+[[nodiscard]] Zone neighbourhoods(const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
                                   std::optional<int> bandwidth, int more = 0);
 
 /// Grows the zone by one neighbourhood around each of `places`, where the zone ends nearest to it, at most
 /// to `limit` neighbourhoods, and half an edge length less than as many, from the junction. Returns whether anything was added.
-bool widen(Zone& zone, const Corefined& corefined, const SizeField& size, std::span<const Vec3> places, int limit);
+bool widen(Zone& zone, const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
+           std::span<const Vec3> places, int limit);
 
 }  // namespace meshgraft

@@ -25,12 +25,12 @@ Box box_of(const Triangle& t) {
 /// The faces of one sheet around a vertex.
 class Around {
  public:
-  void add(const Triangle& t) {
-    length_ += mean_edge_length(t), ++count_;
-    normal_ += area_vector(t);
+  void add(double mean_edge_length, Vec3 area_vector) {
+    length_ += mean_edge_length, ++count_;
+    normal_ += area_vector;
   }
   /// After all of them were added.
-  void add_lean(const Triangle& t) { across_ += norm(cross(area_vector(t), normalized(normal_))); }
+  void add_lean(Vec3 area_vector) { across_ += norm(cross(area_vector, normalized(normal_))); }
 
   /// A vertex stands above the middle of an equilateral face of size s around it by the slope of the faces
   /// times s / sqrt(3).
@@ -87,10 +87,15 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
       if (const FaceId o = originals.find(complex.parent[f.value]); o.valid()) faces.push_back(o);
     std::ranges::sort(faces);
     faces.erase(std::ranges::unique(faces).begin(), faces.end());
-    for (const FaceId f : faces)
-      for (const VertexId v : original.face[f.value]) around[v.value].add(original.corners(f));
-    for (const FaceId f : faces)
-      for (const VertexId v : original.face[f.value]) around[v.value].add_lean(original.corners(f));
+    for (const FaceId f : faces) {
+      const Triangle t = original.corners(f);
+      const double length = mean_edge_length(t);
+      for (const VertexId v : original.face[f.value]) around[v.value].add(length, area_vector(t));
+    }
+    for (const FaceId f : faces) {
+      const Vec3 vector = area_vector(original.corners(f));
+      for (const VertexId v : original.face[f.value]) around[v.value].add_lean(vector);
+    }
     auto& [triangles, values] = samples.emplace_back();
     triangles.reserve(faces.size()), values.reserve(faces.size());
     for (const FaceId f : faces) {

@@ -63,9 +63,9 @@ std::vector<std::uint8_t> brute_force(const Corefined& c, int n) {
 
 TEST(Neighbourhoods, APartOfWhichNoFaceIsLeftChangesNothing) {
   Scene s = two_plates();
-  const Zone without = neighbourhoods(s.corefined, s.brep, s.size, {});
+  const Zone without = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, {});
   s.corefined.met.push_back({0, 2}), s.corefined.met.push_back({1, 2});
-  const Zone with = neighbourhoods(s.corefined, s.brep, s.size, {});
+  const Zone with = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, {});
   EXPECT_EQ(with.in_zone, without.in_zone);
   EXPECT_EQ(with.bandwidth, (std::vector{without.bandwidth[0], without.bandwidth[1], 0}));
 }
@@ -73,7 +73,7 @@ TEST(Neighbourhoods, APartOfWhichNoFaceIsLeftChangesNothing) {
 TEST(Neighbourhoods, AGivenBandwidthIsTakenOnAllMeshes) {
   const Scene s = two_plates();
   for (const int n : {1, 2, 4}) {
-    const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, n);
+    const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, n);
     EXPECT_EQ(zone.in_zone, brute_force(s.corefined, n));
     EXPECT_EQ(zone.bandwidth, (std::vector{n, n}));
   }
@@ -81,7 +81,7 @@ TEST(Neighbourhoods, AGivenBandwidthIsTakenOnAllMeshes) {
 
 TEST(Neighbourhoods, MeshesThatShareTheirNodesAreLeftAlone) {
   const Scene s = two_plates();
-  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
+  const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, std::nullopt);
   EXPECT_EQ(zone.bandwidth, (std::vector{0, 0}));
   EXPECT_EQ(std::ranges::count(zone.in_zone, 1), 0);
 }
@@ -99,13 +99,13 @@ TEST(Neighbourhoods, LongFacesAreNoReasonToReachFar) {
     return most;
   };
   const double length = (1 + 3 + std::sqrt(10.0)) / 3;
-  EXPECT_LE(reach(neighbourhoods(s.corefined, s.brep, s.size, std::nullopt, kMore)), 5.5 * length);
-  EXPECT_GT(reach(neighbourhoods(s.corefined, s.brep, s.size, 3 + kMore)), 5.5 * length);
+  EXPECT_LE(reach(neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, std::nullopt, kMore)), 5.5 * length);
+  EXPECT_GT(reach(neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 3 + kMore)), 5.5 * length);
 }
 
 TEST(Neighbourhoods, TheChangeOfSizeFitsIn) {
   const Scene s = two_plates(0.2);
-  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt);
+  const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, std::nullopt);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
     const auto c = s.corefined.complex.corners(FaceId(f));
     const Vec3 p = (c[0] + c[1] + c[2]) / 3.0;
@@ -123,7 +123,7 @@ TEST(Neighbourhoods, FrozenFacesStayOut) {
   Scene s = two_plates();
   const VertexId v = test::vertex_at(s.corefined.complex, {5, 10, 0});
   s.corefined.complex.state[v.value] = VertexState::kFrozen;
-  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 3);
+  const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 3);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
     if (std::ranges::count(s.corefined.complex.face[f], v) > 0) {
       EXPECT_FALSE(zone.in_zone[f]);
@@ -139,7 +139,7 @@ TEST(Neighbourhoods, FacesOnTheSameVerticesStayOut) {
   const FaceId twin = x.add_face({v[2], v[1], v[0]}, x, f);
   x.parent[twin.value].element = ElementId(x.n_faces());
   s.corefined.touched.push_back(0);
-  const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 4);
+  const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 4);
   EXPECT_FALSE(zone.in_zone[f.value]);
   EXPECT_FALSE(zone.in_zone[twin.value]);
   EXPECT_GT(std::ranges::count(zone.in_zone, 1), 0);
@@ -173,7 +173,7 @@ TEST(Neighbourhoods, AlikeMeshesGiveThreeEachAndMoreOnRequest) {
   const Scene whole = two_plates();
   const Scene s = with_cuts(whole, [&](std::size_t f) { return whole.corefined.touched[f] != 0; });
   for (const int more : {0, 1}) {
-    const Zone zone = neighbourhoods(s.corefined, s.brep, s.size, std::nullopt, more);
+    const Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, std::nullopt, more);
     EXPECT_EQ(zone.bandwidth, (std::vector{3 + more, 3 + more}));
     EXPECT_EQ(zone.in_zone, brute_force(s.corefined, 3 + more));
   }
@@ -182,8 +182,8 @@ TEST(Neighbourhoods, AlikeMeshesGiveThreeEachAndMoreOnRequest) {
 TEST(Neighbourhoods, PiecesOfAFaceGoTogetherAndCountAsOne) {
   const Scene s = two_plates();
   const Scene pieces = with_cuts(s, [](std::size_t f) { return f % 3 == 0; });
-  const Zone whole = neighbourhoods(s.corefined, s.brep, s.size, 3);
-  const Zone cut_up = neighbourhoods(pieces.corefined, pieces.brep, pieces.size, 3);
+  const Zone whole = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 3);
+  const Zone cut_up = neighbourhoods(pieces.corefined, InputFaces(pieces.corefined), pieces.size, 3);
   EXPECT_EQ(whole.bandwidth, cut_up.bandwidth);
   for (std::size_t f = 0; f < cut_up.in_zone.size(); ++f) {
     const ElementRef parent = pieces.corefined.complex.parent[f];
@@ -194,10 +194,10 @@ TEST(Neighbourhoods, PiecesOfAFaceGoTogetherAndCountAsOne) {
 
 TEST(Widen, AddsOneNeighbourhoodNearThePlaceOnly) {
   const Scene s = two_plates();
-  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
+  Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 2);
   const Zone before = zone;
   const Vec3 place{5, 8.1, 0};
-  ASSERT_TRUE(widen(zone, s.corefined, s.size, std::array{place}, 5));
+  ASSERT_TRUE(widen(zone, s.corefined, InputFaces(s.corefined), s.size, std::array{place}, 5));
   const auto reach = brute_force(s.corefined, 3);
   std::size_t added = 0;
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
@@ -215,9 +215,9 @@ TEST(Widen, AddsOneNeighbourhoodNearThePlaceOnly) {
 
 TEST(Widen, StopsAtTheLimit) {
   const Scene s = two_plates();
-  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
+  Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 2);
   int rounds = 0;
-  while (widen(zone, s.corefined, s.size, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
+  while (widen(zone, s.corefined, InputFaces(s.corefined), s.size, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
   const auto reach = brute_force(s.corefined, 4);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) EXPECT_LE(zone.in_zone[f], reach[f]);
 }
@@ -225,8 +225,8 @@ TEST(Widen, StopsAtTheLimit) {
 TEST(Widen, NeverTakesFrozenFaces) {
   Scene s = two_plates();
   for (auto& state : s.corefined.complex.state) state = VertexState::kFrozen;
-  Zone zone = neighbourhoods(s.corefined, s.brep, s.size, 2);
-  EXPECT_FALSE(widen(zone, s.corefined, s.size, std::array{Vec3{10, 9, 0}}, 8));
+  Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 2);
+  EXPECT_FALSE(widen(zone, s.corefined, InputFaces(s.corefined), s.size, std::array{Vec3{10, 9, 0}}, 8));
 }
 
 }  // namespace
