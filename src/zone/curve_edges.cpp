@@ -5,11 +5,14 @@
 #include <map>
 #include <tuple>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 #include "zone/original_faces.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kEdgeBlock = 4096;  // edges judged in one go
 
 /// What two faces of one sheet have in common: component, attributes, groups; the same of each layer.
 using LayerKey = std::tuple<std::uint32_t, AttributesId, GroupSetId>;
@@ -111,13 +114,16 @@ CurveEdges curve_edges(const Complex& complex, const EdgeTable& edges, const Par
 
   const Classifier classifier(complex, edges, parents, result, options);
   std::map<Kind, std::uint32_t> kinds;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const EdgeId e(i);
-    if (!classifier.is_curve(e)) continue;
+  const auto curves = collected<EdgeId>(
+      edges.size(),
+      [&](std::size_t i, std::vector<EdgeId>& out) {
+        if (classifier.is_curve(EdgeId(i))) out.emplace_back(i);
+      },
+      kEdgeBlock);
+  for (const EdgeId e : curves) {
     const auto [a, b] = edges.ends(e);
-    const auto frozen = [&](VertexId v) { return complex.state[v.value] == VertexState::kFrozen; };
-    if (frozen(a) || frozen(b)) result.fixed[i] = 1;
-    result.kind[i] = kinds.try_emplace(classifier.kind(e), static_cast<std::uint32_t>(kinds.size())).first->second;
+    if (is_frozen_edge(complex, a, b)) result.fixed[e.value] = 1;
+    result.kind[e.value] = kinds.try_emplace(classifier.kind(e), static_cast<std::uint32_t>(kinds.size())).first->second;
   }
   return result;
 }

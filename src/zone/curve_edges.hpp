@@ -13,6 +13,11 @@
 
 namespace meshgraft {
 
+/// Whether faces at the edge may be missing, so that neither it nor any face on it may change.
+[[nodiscard]] inline bool is_frozen_edge(const Complex& complex, VertexId a, VertexId b) {
+  return complex.state[a.value] == VertexState::kFrozen || complex.state[b.value] == VertexState::kFrozen;
+}
+
 /// Everything that makes an edge more than the inside of a sheet.
 struct CurveEdges {
   static constexpr std::uint32_t kNoKind = std::numeric_limits<std::uint32_t>::max();

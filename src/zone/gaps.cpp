@@ -8,6 +8,7 @@
 #include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
+#include "zone/curve_edges.hpp"
 #include "zone/parents.hpp"
 #include "zone/ruler.hpp"
 
@@ -25,6 +26,7 @@ struct Side {
   std::array<VertexId, 2> edge;  // ascending
   CurveId curve;
   double arc_a = 0, arc_b = 0;  // along the curve
+  bool frozen = false;          // nothing is remeshed there
 };
 
 /// Arc lengths of the chain vertices of all curves.
@@ -87,7 +89,7 @@ class SheetGaps {
   }
 
   void look_from(const Side& side, std::vector<SizeLimit>& result) const {
-    if (side.curve.valid()) look(side, 0, 1, 0, result);
+    if (side.curve.valid() && !side.frozen) look(side, 0, 1, 0, result);
   }
 
  private:
@@ -151,17 +153,17 @@ std::vector<Side> sides_of(const Sheet& sheet, const Complex& complex, const Bre
       if (!curve.valid()) continue;
       const VertexId a = v[k], b = v[(k + 1) % 3];
       Side side{
-          complex.position[a.value], complex.position[b.value], {}, {std::min(a, b), std::max(a, b)}, curve, 0, 0};
+          complex.position[a.value], complex.position[b.value], {}, {std::min(a, b), std::max(a, b)}, curve};
       side.inward = normalized(cross(normal, side.b - side.a));
       const auto arc = arcs.of_edge(curve, a, b);
-      side.arc_a = arc[0], side.arc_b = arc[1];
+      side.arc_a = arc[0], side.arc_b = arc[1], side.frozen = is_frozen_edge(complex, a, b);
       result.push_back(side);
     }
   }
   std::ranges::sort(isolated);
   isolated.erase(std::ranges::unique(isolated).begin(), isolated.end());
   for (const VertexId v : isolated)
-    result.push_back({complex.position[v.value], complex.position[v.value], {}, {v, v}, {}, 0, 0});
+    result.push_back({complex.position[v.value], complex.position[v.value], {}, {v, v}, {}});
   return result;
 }
 

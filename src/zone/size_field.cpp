@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/blocks.hpp"
 #include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
+#include "zone/curve_edges.hpp"
 #include "zone/edge_table.hpp"
 #include "zone/gaps.hpp"
 #include "zone/original_faces.hpp"
@@ -16,6 +18,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kSizeBlock = 64;  // places at which the size is asked for in one go
 constexpr double kWorthALimit = 0.9;  // a curve must be finer than this share of the size around it
 constexpr double kBend = 0.7;         // the same for bends; a ruler without bends already rounds to 0.71
 constexpr double kSame = 1 + 1e-9;    // sizes that differ by less are the same mean, summed in another order
@@ -162,12 +165,11 @@ class Builder {
     for (std::size_t c = 0; c < brep_.curves.size(); ++c) {
       if (!brep_.curves[c].junction) continue;
       const std::vector<Vec3> p = points(brep_.curves[c]);
-      double before = data_.mean_at_junction(CurveId(c), p[0]);
-      for (std::size_t i = 1; i < p.size(); ++i) {
-        const double l = data_.mean_at_junction(CurveId(c), p[i]);
-        result.push_back({p[i - 1], p[i], before, l});
-        before = l;
-      }
+      const auto l = collected<double>(
+          p.size(),
+          [&](std::size_t i, std::vector<double>& out) { out.push_back(data_.mean_at_junction(CurveId(c), p[i])); },
+          kSizeBlock);
+      for (std::size_t i = 1; i < p.size(); ++i) result.push_back({p[i - 1], p[i], l[i - 1], l[i]});
     }
     return result;
   }
@@ -187,12 +189,17 @@ class Builder {
       const Curve& curve = brep_.curves[c];
       const std::vector<Vec3> p = points(curve);
       const double length = curve.closed ? std::numeric_limits<double>::infinity() : arc_lengths(p).back();
-      for (std::size_t i = 1; i < p.size(); ++i) {
-        const double around = data_.on_curve(CurveId(c), midpoint(p[i - 1], p[i]));
-        const double floor = data_.options.gap_floor * around;
-        const double size = std::max(floor, std::min(length, input_spacing(curve, i)));
-        if (size < kWorthALimit * around) result.push_back({p[i - 1], p[i], size, size});
-      }
+      const auto fine = collected<SizeLimit>(
+          p.size() - 1,
+          [&](std::size_t i, std::vector<SizeLimit>& out) {
+            if (is_frozen_edge(complex_, curve.chain[i], curve.chain[i + 1])) return;
+            const double around = data_.on_curve(CurveId(c), midpoint(p[i], p[i + 1]));
+            const double floor = data_.options.gap_floor * around;
+            const double size = std::max(floor, std::min(length, input_spacing(curve, i + 1)));
+            if (size < kWorthALimit * around) out.push_back({p[i], p[i + 1], size, size});
+          },
+          kSizeBlock);
+      result.insert(result.end(), fine.begin(), fine.end());
     }
     return result;
   }

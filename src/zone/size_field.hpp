@@ -37,7 +37,7 @@ struct SizeOptions {
 ///   at least  l_a - gradation x distance to the junction
 ///   at most   l_a + gradation x distance to the junction, and likewise around each place that needs
 ///             small faces: narrow gaps between curves, short curves, tight bends of a curve, curves
-///             that the input divides more finely than their sheets
+///             that the input divides more finely than their sheets; not where all faces stay (kFrozen vertices)
 ///
 /// l_a at a place of the junction is the mean edge length of the faces of the meshes that meet there,
 /// each mesh counted by the number of its faces along the line: the harmonic mean of their own sizes,
