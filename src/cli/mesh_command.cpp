@@ -1,6 +1,7 @@
 #include "cli/mesh_command.hpp"
 
 #include <fmt/format.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -39,12 +40,21 @@ Result<std::vector<Model>> read(const MeshCommand& command, const Common& common
   return inputs;
 }
 
-/// What the work cannot know: the digests, and the time before it. Digests cost a pass over all bytes.
-void complete(Report& report, std::span<const Model> inputs, const MergeArguments& arguments, const Stopwatch& watch) {
-  report.timings.insert(report.timings.begin(), watch.timings().begin(), watch.timings().end());
-  if (arguments.report.empty()) return;
-  report.inputs.clear();
-  for (const Model& model : inputs) report.inputs.push_back(input_summary(model));
+/// Does the work of the command, and beside it, if a report is wanted, what the work cannot know of its inputs:
+/// their digests cost a pass over all bytes.
+Result<Merged> worked(const MeshCommand& command, const MergeArguments& arguments, const std::vector<Model>& inputs,
+                      const Stopwatch::Progress& show) {
+  std::vector<InputSummary> summaries(inputs.size());
+  tbb::task_group beside;
+  if (!arguments.report.empty())
+    for (std::size_t k = 0; k < inputs.size(); ++k)
+      beside.run([&, k] { summaries[k] = input_summary(inputs[k]); });
+  auto merged = command.run(inputs, [&](std::string_view stage, double done) {
+    show(stage, kReadShare + kWorkShare * done);
+  });
+  beside.wait();
+  if (merged && !arguments.report.empty()) merged->report.inputs = std::move(summaries);
+  return merged;
 }
 
 bool parts_apart(const Report& report) {
@@ -81,8 +91,7 @@ ExitCode run(const MeshCommand& command, const MergeArguments& arguments) {
   progress.clear();
   if (!inputs) return failed(inputs.error());
 
-  auto merged =
-      command.run(*inputs, [&](std::string_view stage, double done) { show(stage, kReadShare + kWorkShare * done); });
+  auto merged = worked(command, arguments, *inputs, show);
   progress.clear();
   if (!merged) {
     for (const Model& model : *inputs) print_warnings(model.warnings, arguments.common.talk);
@@ -94,7 +103,7 @@ ExitCode run(const MeshCommand& command, const MergeArguments& arguments) {
   const std::size_t told = report.warnings.size();
 
   show("writing " + printable(arguments.output), kReadShare + kWorkShare);
-  complete(report, *inputs, arguments, watch);
+  report.timings.insert(report.timings.begin(), watch.timings().begin(), watch.timings().end());
   const auto written = write(arguments, command, *inputs, *merged);
   progress.clear();
   if (!written) return failed(written.error());
