@@ -272,7 +272,7 @@ void register_all() {
   // One scene after the other, because only one is held in memory.
   for (const std::int64_t n : {10'000, 100'000, 1'000'000, 4'000'000}) {
     const auto add = [n](const std::string& name, std::function<void(State&)> body) {
-      constexpr int kRuns = 3;                     // the fastest counts
+      constexpr int kRuns = 3;                      // the fastest counts
       constexpr std::int64_t kMostRun = 1'000'000;  // above, the peer takes a minute for each
       benchmark::RegisterBenchmark(name.c_str(), std::move(body))
           ->Arg(n)

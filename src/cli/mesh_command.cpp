@@ -47,11 +47,9 @@ Result<Merged> worked(const MeshCommand& command, const MergeArguments& argument
   std::vector<InputSummary> summaries(inputs.size());
   tbb::task_group beside;
   if (!arguments.report.empty())
-    for (std::size_t k = 0; k < inputs.size(); ++k)
-      beside.run([&, k] { summaries[k] = input_summary(inputs[k]); });
-  auto merged = command.run(inputs, [&](std::string_view stage, double done) {
-    show(stage, kReadShare + kWorkShare * done);
-  });
+    for (std::size_t k = 0; k < inputs.size(); ++k) beside.run([&, k] { summaries[k] = input_summary(inputs[k]); });
+  auto merged =
+      command.run(inputs, [&](std::string_view stage, double done) { show(stage, kReadShare + kWorkShare * done); });
   beside.wait();
   if (merged && !arguments.report.empty()) merged->report.inputs = std::move(summaries);
   return merged;

@@ -8,8 +8,8 @@
 namespace meshgraft {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;   // boxes tested one by one; 2 to 8 measure alike
-constexpr std::size_t kAtOnce = 4096;  // boxes below which a branch is not worth a task
+constexpr std::uint32_t kLeafSize = 4;  // boxes tested one by one; 2 to 8 measure alike
+constexpr std::size_t kAtOnce = 4096;   // boxes below which a branch is not worth a task
 
 /// Adds a tree by itself; its root takes the place of `root`.
 template <class Node>

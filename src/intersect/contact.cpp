@@ -11,10 +11,10 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kBeside = 0.1;   // of the edge length: largest shift along a surface
-constexpr double kMost = 0.5;     // share of a common area within the gap from which faces lie on each other
-constexpr double kNoArea = 1e-6;  // share of the smaller face below which a common area is none
-constexpr double kLeaning = 0.3;  // of the height: how far beside a border a point may be that lies above it
+constexpr double kBeside = 0.1;          // of the edge length: largest shift along a surface
+constexpr double kMost = 0.5;            // share of a common area within the gap from which faces lie on each other
+constexpr double kNoArea = 1e-6;         // share of the smaller face below which a common area is none
+constexpr double kLeaning = 0.3;         // of the height: how far beside a border a point may be that lies above it
 constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
 
 /// The part of a convex polygon where `inside` (linear) is not negative.

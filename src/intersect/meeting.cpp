@@ -12,7 +12,7 @@ namespace meshgraft {
 namespace {
 
 constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
-constexpr double kLargestSnap = 0.25;  // of the local edge length, whatever tolerance is asked for
+constexpr double kLargestSnap = 0.25;    // of the local edge length, whatever tolerance is asked for
 // Shares of the largest coordinate. What arithmetic on coordinates costs is below the first; welding
 // nearer than the second would decide by rounding.
 constexpr double kNoise = 1.0 / (1L << 49);

@@ -43,10 +43,10 @@ Result<void> check_numbers(const Model& model) {
   });
   if (bad.empty()) return {};
   const NodeId node = bad.front();
-  return failure(ErrorCode::kBadNumber,
-                 "node " + std::to_string(model.node_label[node.value]) + " is at " +
-                     text_of(model.position[node.value]),
-                 "a coordinate must be a finite number", place_of(model, node));
+  return failure(
+      ErrorCode::kBadNumber,
+      "node " + std::to_string(model.node_label[node.value]) + " is at " + text_of(model.position[node.value]),
+      "a coordinate must be a finite number", place_of(model, node));
 }
 
 Result<void> check_units(Inputs inputs) {

@@ -149,8 +149,8 @@ class Measure {
           return outcome_.is_new(e.face) && complex.component[e.face.value] == complex.component[edge[k].face.value];
         };
         if (!outcome_.is_new(edge[k].face) || std::ranges::any_of(edge.first(k), same_component)) continue;
-        samples.push_back({midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]),
-                           edge[k].face});
+        samples.push_back(
+            {midpoint(complex.position[edge[k].low.value], complex.position[edge[k].high.value]), edge[k].face});
       }
     });
   }

@@ -10,10 +10,10 @@ namespace meshgraft {
 namespace {
 
 constexpr double kLeastKept = 0.7, kMostKept = 1.4;  // spacing of input nodes that is left alone, share of the wanted
-constexpr double kReuse = 0.1;      // a vertex nearer to a wanted node than this share of the spacing is it
-constexpr double kReuseNode = 0.2;  // the same for a node of the input
+constexpr double kReuse = 0.1;          // a vertex nearer to a wanted node than this share of the spacing is it
+constexpr double kReuseNode = 0.2;      // the same for a node of the input
 constexpr std::size_t kSizeBlock = 64;  // places at which the size is asked for in one go
-constexpr int kRemovalRounds = 4;   // a removal may have to wait for its neighbours
+constexpr int kRemovalRounds = 4;       // a removal may have to wait for its neighbours
 
 /// A vertex of a curve at its arc length, counted on through the start of a closed curve.
 struct Knot {
@@ -75,8 +75,7 @@ class Resampler {
     for_blocks(
         bad.size(),
         [&](std::size_t first, std::size_t last) {
-          for (std::size_t g = first; g < last; ++g)
-            bad[g] = !well_spaced(c, knots[anchors[g]], knots[anchors[g + 1]]);
+          for (std::size_t g = first; g < last; ++g) bad[g] = !well_spaced(c, knots[anchors[g]], knots[anchors[g + 1]]);
         },
         kSizeBlock);
     if (closed && std::ranges::count(bad, 1) > 0) std::ranges::fill(bad, std::uint8_t{1});

@@ -18,9 +18,9 @@ namespace meshgraft {
 namespace {
 
 constexpr std::size_t kVertexBlock = 4096;  // vertices judged in one go
-constexpr double kTurnReach = 0.1;     // share of the edge length of the parents over which a turn is measured
-constexpr double kPlaneShare = 1e-9;   // of the size of a sheet: what rounding leaves of a plane
-constexpr double kPulledShare = 0.01;  // of the mean edge length: how far the border may stand off the plane
+constexpr double kTurnReach = 0.1;          // share of the edge length of the parents over which a turn is measured
+constexpr double kPlaneShare = 1e-9;        // of the size of a sheet: what rounding leaves of a plane
+constexpr double kPulledShare = 0.01;       // of the mean edge length: how far the border may stand off the plane
 
 /// Counts the fans (faces joined over edges that are no curve) at a vertex.
 class Fans {

@@ -123,7 +123,8 @@ CurveEdges curve_edges(const Complex& complex, const EdgeTable& edges, const Par
   for (const EdgeId e : curves) {
     const auto [a, b] = edges.ends(e);
     if (is_frozen_edge(complex, a, b)) result.fixed[e.value] = 1;
-    result.kind[e.value] = kinds.try_emplace(classifier.kind(e), static_cast<std::uint32_t>(kinds.size())).first->second;
+    result.kind[e.value] =
+        kinds.try_emplace(classifier.kind(e), static_cast<std::uint32_t>(kinds.size())).first->second;
   }
   return result;
 }

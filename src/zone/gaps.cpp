@@ -152,8 +152,7 @@ std::vector<Side> sides_of(const Sheet& sheet, const Complex& complex, const Bre
       const CurveId curve = brep.curve_of_edge[f.value][k];
       if (!curve.valid()) continue;
       const VertexId a = v[k], b = v[(k + 1) % 3];
-      Side side{
-          complex.position[a.value], complex.position[b.value], {}, {std::min(a, b), std::max(a, b)}, curve};
+      Side side{complex.position[a.value], complex.position[b.value], {}, {std::min(a, b), std::max(a, b)}, curve};
       side.inward = normalized(cross(normal, side.b - side.a));
       const auto arc = arcs.of_edge(curve, a, b);
       side.arc_a = arc[0], side.arc_b = arc[1], side.frozen = is_frozen_edge(complex, a, b);

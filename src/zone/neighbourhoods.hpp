@@ -39,7 +39,8 @@ struct Zone {
                                   std::optional<int> bandwidth, int more = 0);
 
 /// Grows the zone by one neighbourhood around each of `places`, where the zone ends nearest to it, at most
-/// to `limit` neighbourhoods, and half an edge length less than as many, from the junction. Returns whether anything was added.
+/// to `limit` neighbourhoods, and half an edge length less than as many, from the junction. Returns whether anything
+/// was added.
 bool widen(Zone& zone, const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
            std::span<const Vec3> places, int limit);
 

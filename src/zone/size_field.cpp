@@ -19,10 +19,10 @@ namespace meshgraft {
 namespace {
 
 constexpr std::size_t kSizeBlock = 64;  // places at which the size is asked for in one go
-constexpr double kWorthALimit = 0.9;  // a curve must be finer than this share of the size around it
-constexpr double kBend = 0.7;         // the same for bends; a ruler without bends already rounds to 0.71
-constexpr double kSame = 1 + 1e-9;    // sizes that differ by less are the same mean, summed in another order
-constexpr double kStraight = 0.2;     // radians; a curve that turns less in all has no bends
+constexpr double kWorthALimit = 0.9;    // a curve must be finer than this share of the size around it
+constexpr double kBend = 0.7;           // the same for bends; a ruler without bends already rounds to 0.71
+constexpr double kSame = 1 + 1e-9;      // sizes that differ by less are the same mean, summed in another order
+constexpr double kStraight = 0.2;       // radians; a curve that turns less in all has no bends
 
 std::vector<std::vector<SheetId>> sheets_at_curves(const Brep& brep) {
   std::vector<std::vector<SheetId>> result(brep.curves.size());

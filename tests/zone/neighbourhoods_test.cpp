@@ -217,7 +217,8 @@ TEST(Widen, StopsAtTheLimit) {
   const Scene s = two_plates();
   Zone zone = neighbourhoods(s.corefined, InputFaces(s.corefined), s.size, 2);
   int rounds = 0;
-  while (widen(zone, s.corefined, InputFaces(s.corefined), s.size, std::array{Vec3{10, 9, 0}}, 4)) ASSERT_LT(++rounds, 100);
+  while (widen(zone, s.corefined, InputFaces(s.corefined), s.size, std::array{Vec3{10, 9, 0}}, 4))
+    ASSERT_LT(++rounds, 100);
   const auto reach = brute_force(s.corefined, 4);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) EXPECT_LE(zone.in_zone[f], reach[f]);
 }
