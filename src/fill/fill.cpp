@@ -17,6 +17,11 @@
 namespace meshgraft {
 namespace {
 
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
 using Openings = std::vector<OpeningContours>;
 
 std::string number_of(std::size_t k) { return "contour " + std::to_string(k + 1); }
@@ -222,8 +227,9 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
   operation.fills = true;
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
-  for (Error& flaw : flaws_of(base, zone.remeshed.complex, around.n_faces(), options.zone.tolerance))
-    report.broken_promises.push_back(std::move(flaw));
+  FillingFlaws flaws = flaws_of(base, zone.remeshed.complex, around.n_faces(), options.zone.tolerance);
+  append(report.broken_promises, std::move(flaws.broken));
+  append(report.warnings, std::move(flaws.warnings));
   report.junction = summaries(all, *openings);
   return merged;
 }

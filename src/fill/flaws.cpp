@@ -20,13 +20,16 @@ Box box_of(const Triangle& t) {
   return box;
 }
 
+/// Within `reach` of a triangle, and not beside it.
+bool is_inside(Vec3 p, const Triangle& t, double reach) {
+  const TrianglePoint foot = closest_on_triangle(p, t);
+  return distance(p, foot.point) <= reach && std::ranges::all_of(foot.weight, [](double w) { return w > kInside; });
+}
+
 /// A corner or the centroid of one that lies inside of the other, within `reach`.
 std::optional<Vec3> lies_on(const Triangle& one, const Triangle& other, double reach) {
-  for (const Vec3 p : {one[0], one[1], one[2], centroid(one)}) {
-    const TrianglePoint foot = closest_on_triangle(p, other);
-    if (distance(p, foot.point) <= reach && std::ranges::all_of(foot.weight, [](double w) { return w > kInside; }))
-      return p;
-  }
+  for (const Vec3 p : {one[0], one[1], one[2], centroid(one)})
+    if (is_inside(p, other, reach)) return p;
   return {};
 }
 
@@ -40,11 +43,9 @@ struct Findings {
     if (places.empty()) place = std::move(in_file);
     places.push_back(std::move(where));
   }
-  void report(std::vector<Error>& errors) const {
-    if (places.empty()) return;
-    std::string text = "the filling " + what + " " + places.front();
-    if (places.size() > 1) text += ", and in " + std::to_string(places.size() - 1) + " more places";
-    errors.push_back({ErrorCode::kPromiseBroken, std::move(text), hint, place});
+  [[nodiscard]] std::string text() const {
+    const std::string others = ", and in " + std::to_string(places.size() - 1) + " more places";
+    return "the filling " + what + " " + places.front() + (places.size() > 1 ? others : "");
   }
 };
 
@@ -53,12 +54,15 @@ class Flaws {
   Flaws(const Model& base, const Complex& complex, std::size_t first, const Tolerance& tolerance)
       : base_(base), complex_(complex), first_(first), tolerance_(tolerance) {}
 
-  std::vector<Error> run() {
+  FillingFlaws run() {
     find_folds();
     find_others();
-    std::vector<Error> errors;
-    for (const Findings* f : {&folds_, &lying_, &crossing_}) f->report(errors);
-    return errors;
+    FillingFlaws flaws;
+    for (const Findings* f : {&folds_, &lying_, &crossing_})
+      if (!f->places.empty()) flaws.broken.push_back({ErrorCode::kPromiseBroken, f->text(), f->hint, f->place});
+    if (!beams_.places.empty())
+      flaws.warnings.push_back({"beam-on-filling", beams_.text() + "; not joined", beams_.place});
+    return flaws;
   }
 
  private:
@@ -96,6 +100,7 @@ class Flaws {
     for (std::size_t k = 0; k < base_.n_elements(); ++k) {
       const ElementId e(k);
       const Corners c = corners_of(base_.shape(e), base_.nodes_of(e));
+      if (c.n == 2) compare_beam(e, {c.node[0], c.node[1]}, tree);
       if (!c.is_surface() || std::ranges::any_of(std::span(c.node).first(c.n), [](NodeId n) { return !n.valid(); }))
         continue;
       for (std::size_t i = 2; i < c.n; ++i) {
@@ -121,11 +126,27 @@ class Flaws {
       crossing_.add(element + text_of(centroid(t)), place_of(base_, e));
   }
 
+  void compare_beam(ElementId e, const std::array<NodeId, 2>& ends, const BoxTree& tree) {
+    if (!ends[0].valid() || !ends[1].valid()) return;
+    const Vec3 a = base_.position[ends[0].value], b = base_.position[ends[1].value];
+    Box box{a, a};
+    box.add(b);
+    std::optional<Vec3> at;
+    tree.overlapping(box, [&](std::uint32_t f) {
+      const Triangle t = complex_.corners(FaceId(first_ + f));
+      for (const double along : {0.0, 0.3, 0.5, 0.7, 1.0})  // some are off the edges of the faces
+        if (const Vec3 p = lerp(a, b, along); !at && is_inside(p, t, tolerance_.at(mean_edge_length(t)))) at = p;
+    });
+    if (at)
+      beams_.add("element " + std::to_string(base_.element_label[e.value]) + " at " + text_of(*at), place_of(base_, e));
+  }
+
   const Model& base_;
   const Complex& complex_;
   std::size_t first_;
   const Tolerance& tolerance_;
   Findings folds_{"is folded back on itself at", "fill it in smaller parts, or with another --blend", {}, {}};
+  Findings beams_{"has 1D elements on it:", {}, {}, {}};
   Findings lying_{
       "lies on", "where a piece of the mesh stands in the hole, fill between both: --contour 2+5, say", {}, {}};
   Findings crossing_{
@@ -134,7 +155,7 @@ class Flaws {
 
 }  // namespace
 
-std::vector<Error> flaws_of(const Model& base, const Complex& complex, std::size_t first, const Tolerance& tolerance) {
+FillingFlaws flaws_of(const Model& base, const Complex& complex, std::size_t first, const Tolerance& tolerance) {
   return Flaws(base, complex, first, tolerance).run();
 }
 

@@ -9,13 +9,19 @@
 
 namespace meshgraft {
 
+struct FillingFlaws {
+  std::vector<Error> broken;
+  std::vector<Warning> warnings;
+};
+
 /// Errors kPromiseBroken, one for each kind, if faces of `complex` from `first` on
 ///   - make more than 90 degrees with a neighbour among them: the filling is folded back;
 ///   - lie on a surface element of `base` within the tolerance: no sign of coordinates that are rounded tells that they
 ///     meet;
 ///   - cross a surface element that is no linear triangle.
+/// A warning if 1D elements lie on them, within the tolerance: they are not joined to what they lie on.
 /// Cost: one look at each element of the base.
-[[nodiscard]] std::vector<Error> flaws_of(const Model& base, const Complex& complex, std::size_t first,
-                                          const Tolerance& tolerance);
+[[nodiscard]] FillingFlaws flaws_of(const Model& base, const Complex& complex, std::size_t first,
+                                    const Tolerance& tolerance);
 
 }  // namespace meshgraft

@@ -22,6 +22,7 @@ class Filler {
 
   tl::expected<OpeningFill, std::string> run() {
     std::vector<Ring> rings = opening_.contours;
+    if (rings.empty()) return tl::unexpected(std::string("there is no contour"));
     if (!connect(rings)) return tl::unexpected(std::string("a contour cannot be reached from the others"));
     std::vector<Ring> pieces;
     divide(std::move(rings.front()), pieces);

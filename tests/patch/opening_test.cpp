@@ -210,6 +210,8 @@ TEST(Opening, AContourThatCannotBeReachedIsToldInWords) {
   EXPECT_NE(fill.error().find("reached"), std::string::npos);
 }
 
+TEST(Opening, NoContourIsToldInWordsToo) { EXPECT_FALSE(fill_opening(Plate().opening()).has_value()); }
+
 /// Around a pipe no plane shows the opening: two circles, one above the other.
 TEST(Opening, ABandAroundAPipeIsFilledAlongThePipe) {
   constexpr std::size_t n = 24;

@@ -7,6 +7,7 @@
 #include "meshgraft/check.hpp"
 #include "meshgraft/merge.hpp"
 #include "support/catalogue.hpp"
+#include "support/scenes.hpp"
 
 namespace meshgraft {
 namespace {
@@ -45,6 +46,19 @@ TEST_P(PaperMethod, GivesASoundMeshWithAllGroups) {
   const auto again = merge(scene.base, scene.parts, options);
   const auto same = [](const NewElement& a, const NewElement& b) { return a.nodes == b.nodes && a.parent == b.parent; };
   EXPECT_TRUE(std::ranges::equal(merged->graft.new_elements, again->graft.new_elements, same));
+}
+
+/// All of a sphere but a node is in the zone: no flat way reaches the contour of one node from anywhere.
+TEST(PaperMethodAlone, AnAreaThatCannotBeFilledStaysAsItIsAndIsNamed) {
+  const Model sphere = scenes::sphere({0, 0, 0}, 1, 2), plate = scenes::plate({-2, -2, -1}, {4, 0, 0}, {0, 4, 0}, 0.8);
+  MergeOptions options;
+  options.method = Method::kPaper, options.bandwidth = 6;
+  const auto merged = merge(plate, std::span(&sphere, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_EQ(std::ranges::count(merged->report.warnings, "contour-not-filled", &Warning::name), 1);
+  const Model result = apply(plate, std::span(&sphere, 1), *merged);
+  EXPECT_TRUE(check(result).sound());
+  EXPECT_NEAR(check(result).area, check(plate).area + check(sphere).area, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PaperMethod, testing::Range(std::size_t{0}, all_scenes().size()),
