@@ -41,6 +41,16 @@ struct PolylineSummary {
   std::vector<std::uint32_t> components;  // the same in terms of Report::components, ascending
 };
 
+/// An area in which meshes lie on each other, and what became of it.
+struct OverlapEntry {
+  std::string rule;                       // "fused", "projected" or "deleted": all meshes but the first went there
+  std::vector<std::uint32_t> inputs;      // that of the surface that stays first
+  std::vector<std::uint32_t> components;  // the same in terms of Report::components
+  std::uint64_t faces = 0;                // that stand for all; of the input, where they were deleted
+  double area = 0;
+  Vec3 at;  // centre of area
+};
+
 /// A place in the merged mesh where something is not as it should be.
 struct QualityPlace {
   double q = 0;
@@ -101,6 +111,7 @@ struct Report {
   std::vector<InputSummary> inputs;
   std::vector<ComponentSummary> components;
   std::vector<PolylineSummary> junction;
+  std::vector<OverlapEntry> overlaps;  // one for each set of meshes and rule
   struct Zone {
     std::uint64_t faces_removed = 0, faces_created = 0, nodes_removed = 0, nodes_created = 0;
     std::vector<int> bandwidth;  // by input

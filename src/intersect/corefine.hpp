@@ -58,8 +58,9 @@ struct Corefined {
   /// Faces that went because they lie on others, ascending.
   struct Covered {
     ElementRef face;
-    double area = 0;        // of it that went
-    bool has_heir = false;  // another face stands for it now (Complex::layers)
+    double area = 0;                      // of it that went
+    bool has_heir = false;                // another face stands for it now (Complex::layers)
+    std::uint32_t component = 0, on = 0;  // its own, and that of the face it lay on
     friend auto operator<=>(const Covered&, const Covered&) = default;
   };
   std::vector<Covered> covered;

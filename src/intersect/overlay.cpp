@@ -45,7 +45,7 @@ class Overlayer {
     if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
       return Overlaid{};
     out_.behind = take_out_behind(complex_, contacts);
-    before_ = complex_.position;
+    before_ = complex_.position, component_before_ = complex_.component;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
                                 sides_.own[1], rule_.options.sharp_angle, faces_beside(contacts)),
@@ -237,8 +237,12 @@ class Overlayer {
     for (std::size_t i = 0; i < staying.size(); ++i)
       if (staying.covered[i])
         unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
-    for (std::size_t i = 0; i < covered.size(); ++i)
-      out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over()});
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+      const std::uint32_t foot = l.cover[l.stays].foot(middle(l, l.goes(), covered[i])).face;
+      const FaceId on = l.meeting.side[l.stays].face(l.cover_face[l.stays][foot]);
+      out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over(),
+                              complex_.component[covered[i].value], component_before_[on.value]});
+    }
     remove(covered);
   }
 
@@ -350,8 +354,9 @@ class Overlayer {
   FaceMarks& marks_;
   const Sides& sides_;
   ContactRule rule_;
-  std::vector<Vec3> before_;           // position by vertex, before anything is moved
-  std::vector<std::uint8_t> on_both_;  // by vertex: it has a symbol
+  std::vector<Vec3> before_;                     // position by vertex, before anything is moved
+  std::vector<std::uint32_t> component_before_;  // by face, before any is cut
+  std::vector<std::uint8_t> on_both_;            // by vertex: it has a symbol
   Overlaid out_;
 };
 

@@ -97,6 +97,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   outcome.fills = fills;
   tell(zone.unfilled, report);
   judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
+  report.overlaps = overlap_entries(inputs, components, corefined, zone.remeshed.complex, all_layers);
   Dropped overlaid = dropped;
   add_losses(corefined, final_complex, all_layers, translated, graft, overlaid);
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);

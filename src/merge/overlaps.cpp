@@ -54,6 +54,42 @@ void add_losses(const Corefined& corefined, const Complex& final_complex, bool a
   }
 }
 
+std::vector<OverlapEntry> overlap_entries(Inputs inputs, const Components& components, const Corefined& corefined,
+                                          const Complex& final_complex, bool all_layers) {
+  struct Sum {
+    std::uint64_t n = 0;
+    ElementRef last;  // counted
+    double area = 0;
+    Vec3 moment;
+    void add(double a, Vec3 at) { area += a, moment += a * at; }
+  };
+  using Stack = std::vector<std::uint32_t>;    // components, the one that stays first
+  std::map<std::pair<bool, Stack>, Sum> sums;  // by whether they were deleted, and stack
+  for (std::size_t f = 0; f < final_complex.n_faces(); ++f) {
+    if (final_complex.layers_of(FaceId(f)).empty()) continue;
+    const Triangle t = final_complex.corners(FaceId(f));
+    Sum& sum = sums[{false, final_complex.components_of(FaceId(f))}];
+    sum.add(area(t), centroid(t)), ++sum.n;
+  }
+  for (const Corefined::Covered& c : corefined.covered) {
+    if (c.has_heir) continue;
+    Sum& sum = sums[{true, {c.on, c.component}}];
+    sum.add(c.area, centroid(inputs[c.face.input]->corners(c.face.element)));
+    if (sum.last != c.face) sum.last = c.face, ++sum.n;
+  }
+  std::vector<OverlapEntry> entries;
+  for (const auto& [key, sum] : sums) {
+    const auto& [deleted, stack] = key;
+    OverlapEntry& entry = entries.emplace_back();
+    entry.rule = deleted ? "deleted" : all_layers ? "projected" : "fused";
+    for (const std::uint32_t c : stack) entry.inputs.push_back(components.input[c]);
+    if (components.are_parted()) entry.components = stack;
+    entry.faces = sum.n, entry.area = sum.area;
+    if (sum.area > 0) entry.at = sum.moment / sum.area;
+  }
+  return entries;
+}
+
 Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined) {
   std::vector<std::uint64_t> before(inputs.size()), after(inputs.size());
   for (const ElementRef parent : original.parent) ++before[parent.input];

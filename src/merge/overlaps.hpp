@@ -3,10 +3,12 @@
 
 #include <vector>
 
+#include "core/components.hpp"
 #include "intersect/corefine.hpp"
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
 #include "meshgraft/options.hpp"
+#include "meshgraft/report.hpp"
 #include "meshgraft/result.hpp"
 
 namespace meshgraft {
@@ -25,6 +27,11 @@ struct LaidOut {
 /// groups that several faces were in and that count the one that stands for them once.
 void add_losses(const Corefined& corefined, const Complex& final_complex, bool all_layers, SetTranslation& translated,
                 Graft& graft, Dropped& dropped);
+
+/// For the report; `final_complex` before it is laid out in layers.
+[[nodiscard]] std::vector<OverlapEntry> overlap_entries(Inputs inputs, const Components& components,
+                                                        const Corefined& corefined, const Complex& final_complex,
+                                                        bool all_layers);
 
 /// kOverlap if all faces of an input go.
 [[nodiscard]] Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined);

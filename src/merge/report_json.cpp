@@ -21,6 +21,11 @@ Json json(const PolylineSummary& p) {
           {"corners", p.corners}, {"inputs", p.inputs}, {"components", p.components}};
 }
 
+Json json(const OverlapEntry& o) {
+  return {{"rule", o.rule},   {"inputs", o.inputs}, {"components", o.components},
+          {"faces", o.faces}, {"area", o.area},     {"at", json(o.at)}};
+}
+
 Json json(const ComponentSummary& c) {
   return {{"input", c.input}, {"faces", c.faces}, {"element", c.element}, {"groups", c.groups}};
 }
@@ -95,6 +100,7 @@ std::string to_json(const Report& r) {
   all["inputs"] = list(r.inputs);
   all["components"] = list(r.components);
   all["junction"] = list(r.junction);
+  all["overlaps"] = list(r.overlaps);
   all["zone"] = json(r.zone);
   all["quality"] = json(r.quality);
   all["fidelity"] = {{"max_distance", r.fidelity.max_distance},

@@ -44,7 +44,7 @@ InputFaces::InputFaces(const Corefined& corefined)
 void InputFaces::release_around_cut() {
   std::vector<std::uint32_t> front, next;
   for (std::uint32_t i = 0; i < size(); ++i)
-    if (kept_[i] && pieces(i).size() > 1) front.push_back(i);
+    if (kept_[i] && !is_whole(i)) front.push_back(i);
   for (int k = 0; k < kReleased && !front.empty(); ++k) {
     for (const std::uint32_t i : front) {
       kept_[i] = 0;

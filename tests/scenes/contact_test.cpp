@@ -162,9 +162,9 @@ TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
     expect_good(name, Overlap::kKeepBase);
   for (const char* name :
        {"doubler_above", "doubler_below", "doubler_at_free_edge", "doubler_in_corner", "partial_overlap_1_8",
-        "two_doublers_on_one_place", "doubler_on_doubler", "three_doublers_on_one_place", "doubler_on_doubler_apart",
-        "doubler_beyond_doubler_apart", "plate_between_wall_and_doubler", "doubler_and_web_through_a_line",
-        "doubler_and_webs_through_a_point"})
+        "three_in_partial_overlap", "two_doublers_on_one_place", "doubler_on_doubler", "three_doublers_on_one_place",
+        "doubler_on_doubler_apart", "doubler_beyond_doubler_apart", "plate_between_wall_and_doubler",
+        "doubler_and_web_through_a_line", "doubler_and_webs_through_a_point"})
     expect_good(name, Overlap::kKeepPart);
 }
 
