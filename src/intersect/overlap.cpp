@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/quality.hpp"
+#include "intersect/common_area.hpp"
 
 namespace meshgraft {
 namespace {
@@ -34,54 +35,17 @@ double least_width(const Meeting& m, const FacePair& p, const CorefineOptions& o
   return options.mode == Mode::kAuto ? std::max(strip, kNarrow * size) : strip;
 }
 
-/// A corner of a clipped polygon: its place and its signed distance from the plane of the clipper.
-struct Corner {
-  Vec3 point;
-  double height = 0;
-};
-
-/// The part of a convex polygon where `inside` (linear in place and height) is not negative.
-template <class F>
-std::vector<Corner> clipped(const std::vector<Corner>& polygon, F&& inside) {
-  std::vector<Corner> left;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& a = polygon[i];
-    const Corner& b = polygon[(i + 1) % polygon.size()];
-    const double at_a = inside(a), at_b = inside(b);
-    if (at_a >= 0) left.push_back(a);
-    if ((at_a < 0) == (at_b < 0)) continue;
-    const double t = at_a / (at_a - at_b);
-    left.push_back({lerp(a.point, b.point, t), a.height + t * (b.height - a.height)});
-  }
-  return left;
-}
-
 /// The part of `u` that lies over `t` and within `gap` of its plane.
-std::vector<Corner> part_near(const Triangle& u, const Triangle& t, double gap) {
-  const Vec3 n = unit_normal(t);
-  std::vector<Corner> polygon;
-  for (const Vec3 p : u) polygon.push_back({p, dot(n, p - t[0])});
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 a = t[k], inward = cross(n, t[(k + 1) % 3] - a);
-    polygon = clipped(polygon, [&](const Corner& c) { return dot(inward, c.point - a); });
-  }
-  polygon = clipped(polygon, [&](const Corner& c) { return gap - c.height; });
-  return clipped(polygon, [&](const Corner& c) { return gap + c.height; });
+std::vector<Vec3> part_near(const Triangle& u, const Triangle& t, double gap) {
+  return within(part_over(u, t), t, {-gap, gap});
 }
 
 /// Area over length: about half the width of a long polygon, a third of the side of a round one.
-double mean_width(const std::vector<Corner>& polygon) {
-  if (polygon.size() < 3) return 0;
-  Vec3 sum;
+double mean_width(const std::vector<Vec3>& polygon) {
   double longest = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    for (std::size_t j = i + 1; j < polygon.size(); ++j)
-      longest = std::max(longest, distance(polygon[i].point, polygon[j].point));
-    if (i > 0)
-      sum +=
-          0.5 * cross(polygon[i].point - polygon[0].point, polygon[(i + 1) % polygon.size()].point - polygon[0].point);
-  }
-  return longest > 0 ? norm(sum) / longest : 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    for (std::size_t j = i + 1; j < polygon.size(); ++j) longest = std::max(longest, distance(polygon[i], polygon[j]));
+  return longest > 0 ? area_of(polygon) / longest : 0;
 }
 
 }  // namespace
@@ -103,12 +67,11 @@ std::optional<FacePair> find_overlap(const Meeting& m, const CorefineOptions& op
 
 JunctionFault overlap_fault(const Meeting& m, const FacePair& faces) {
   const FaceId f = m.side[0].face(faces[0]), g = m.side[1].face(faces[1]);
-  const std::vector<Corner> shared =
-      part_near(m.triangle(1, faces[1]), m.triangle(0, faces[0]), 2 * tolerance(m, faces));
+  const std::vector<Vec3> shared = part_near(m.triangle(1, faces[1]), m.triangle(0, faces[0]), 2 * tolerance(m, faces));
   Vec3 at = centroid(m.triangle(1, faces[1]));
   if (!shared.empty()) {
     at = {};
-    for (const Corner& c : shared) at += c.point / static_cast<double>(shared.size());
+    for (const Vec3 p : shared) at += p / static_cast<double>(shared.size());
   }
   return {ErrorCode::kOverlap,
           "faces lie on each other over an area",
