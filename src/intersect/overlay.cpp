@@ -18,9 +18,10 @@ namespace {
 
 std::array<VertexId, 2> edge_of(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Faces joined across edges that are not walls; the smallest position in `faces` stands for the region.
-UnionFind regions(const Complex& complex, std::span<const FaceId> faces,
-                  const std::vector<std::array<VertexId, 2>>& walls) {
+/// Faces joined across edges that are neither walls nor folds; the smallest position in `faces` stands for the region.
+/// `normal`: by position, of the face that each was cut out of.
+UnionFind regions(const Complex& complex, std::span<const FaceId> faces, std::span<const Vec3> normal,
+                  const std::vector<std::array<VertexId, 2>>& walls, const ContactRule& rule) {
   std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> uses;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     const auto& v = complex.face[faces[i].value];
@@ -29,7 +30,8 @@ UnionFind regions(const Complex& complex, std::span<const FaceId> faces,
   std::ranges::sort(uses);
   UnionFind joined(faces.size());
   for (std::size_t i = 1; i < uses.size(); ++i)
-    if (uses[i].first == uses[i - 1].first && !std::ranges::binary_search(walls, uses[i].first))
+    if (uses[i].first == uses[i - 1].first && rule.is_flat(normal[uses[i].second], normal[uses[i - 1].second]) &&
+        !std::ranges::binary_search(walls, uses[i].first))
       joined.unite(uses[i - 1].second, uses[i].second);
   return joined;
 }
@@ -205,13 +207,14 @@ class Overlayer {
 
   /// A region lies on `cover` if most of its area does.
   void classify(const LyingMeeting& l, std::size_t s, const Cover& cover, Pieces& p) const {
-    UnionFind region = regions(complex_, p.faces, l.walls);
+    std::vector<Vec3> normal;
+    for (const FaceId f : p.faces)
+      normal.push_back(unit_normal(l.triangle(s, l.meeting.side[s].find(marks_.from[f.value]))));
+    UnionFind region = regions(complex_, p.faces, normal, l.walls, rule_);
     std::vector<double> vote(p.size(), 0);
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const Triangle t = chart_triangle(l, s, p.faces[i]);
-      const LocalFace from = l.meeting.side[s].find(marks_.from[p.faces[i].value]);
-      const Vec3 n = unit_normal(l.triangle(s, from));
-      vote[region.find(i)] += cover.covers(middle(l, s, p.faces[i]), n, rule_) ? area(t) : -area(t);
+      vote[region.find(i)] += cover.covers(middle(l, s, p.faces[i]), normal[i], rule_) ? area(t) : -area(t);
     }
     p.covered.resize(p.size());
     for (std::uint32_t i = 0; i < p.size(); ++i) p.covered[i] = vote[region.find(i)] > 0;

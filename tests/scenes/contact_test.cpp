@@ -9,6 +9,7 @@
 #include "meshgraft/merge.hpp"
 #include "scenes/expect.hpp"
 #include "support/catalogue.hpp"
+#include "support/scenes.hpp"
 
 namespace meshgraft {
 namespace {
@@ -166,6 +167,52 @@ TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
         "doubler_on_doubler_apart", "doubler_beyond_doubler_apart", "plate_between_wall_and_doubler",
         "doubler_and_web_through_a_line", "doubler_and_webs_through_a_point"})
     expect_good(name, Overlap::kKeepPart);
+}
+
+/// The walls beside the common one go on in the same planes: near each other, and yet on each other nowhere.
+TEST(KeptContact, OfTwoBoxesOnEachOtherTheCommonWallIsKeptOnce) {
+  const auto box = [](double z, const char* group) {
+    const auto wall = [&](Vec3 origin, Vec3 u, Vec3 v) {
+      return scenes::plate(origin + Vec3{0, 0, z}, u, v, 0.5, group);
+    };
+    const Vec3 x{1, 0, 0}, y{0, 1, 0}, up{0, 0, 1};
+    const std::array walls{wall({}, y, x), wall(up, x, y),  wall({}, x, up),
+                           wall(y, up, x), wall({}, up, y), wall(x, y, up)};
+    return scenes::welded(scenes::together(walls));
+  };
+  const Model base = box(0, "LOWER");
+  const std::vector<Model> parts{box(1, "UPPER")};
+  for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
+    MergeOptions options;
+    options.overlap = overlap;
+    const auto merged = merge(base, parts, options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    EXPECT_NEAR(whole_area(apply(base, parts, *merged)), 11, 1e-9);
+    ASSERT_EQ(merged->report.overlaps.size(), 1u);
+    const OverlapEntry& entry = merged->report.overlaps[0];
+    EXPECT_EQ(entry.rule, "deleted");
+    EXPECT_EQ(entry.inputs, (overlap == Overlap::kKeepBase ? std::vector{0u, 1u} : std::vector{1u, 0u}));
+    EXPECT_NEAR(entry.area, 1, 1e-9);
+  }
+}
+
+/// By formula: the second plate has 0.63 x 1.1 on the wall, the third 0.47 x 0.93, all three 0.47 x 0.54 in common.
+TEST(Stacks, TheReportNamesEachSetOfMeshesThatLieOnEachOther) {
+  const scenes::Merge& scene = scene_named("three_in_partial_overlap");
+  for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject}) {
+    const auto merged = merged_keeping(scene, overlap);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    std::map<std::set<std::uint32_t>, double> areas;
+    for (const OverlapEntry& entry : merged->report.overlaps) {
+      EXPECT_EQ(entry.rule, overlap == Overlap::kFuse ? "fused" : "projected");
+      areas[{entry.inputs.begin(), entry.inputs.end()}] += entry.area;
+    }
+    const std::map<std::set<std::uint32_t>, double> expected{
+        {{0, 1}, 0.4392}, {{0, 2}, 0.1833}, {{1, 2}, 0.3618}, {{0, 1, 2}, 0.2538}};
+    ASSERT_EQ(areas.size(), expected.size());
+    for (const auto& [inputs, area] : expected) EXPECT_NEAR(areas[inputs], area, 1e-6);
+  }
 }
 
 TEST(KeptContact, ToDeleteAWholePartIsRefused) {
