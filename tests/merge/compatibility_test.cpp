@@ -73,6 +73,22 @@ TEST(Compatibility, AToleranceThatWouldWeldTheSidesOfAThinPartIsRefusedWithTheir
   EXPECT_TRUE(merge(wall, std::span(&section, 1), options));
 }
 
+TEST(Compatibility, FacesOfOneSideThatOnlySliversKeepApartAreNoThinPart) {
+  // A wall of two strips, each cut from its own corners to slivers along the line between them.
+  ModelBuilder builder;
+  const NodeId a = builder.add_node({0, 0, 0}), b = builder.add_node({8, 0, 0}), c = builder.add_node({4, 4, 0});
+  const NodeId d = builder.add_node({0, -0.001, 0}), e = builder.add_node({8, -0.001, 0}),
+               f = builder.add_node({4, -4, 0.4});
+  builder.add_face(a, b, c);
+  builder.add_face(b, a, d);
+  builder.add_face(b, d, e);
+  builder.add_face(e, d, f);
+  const Model wall = builder.build();
+  const Model rib = scenes::plate({4, -3, -2}, {0, 6, 0}, {0, 0, 4}, 1);
+  MergeOptions options;
+  EXPECT_TRUE(merge(wall, std::span(&rib, 1), options));
+}
+
 TEST(Compatibility, AModelWithoutTrianglesIsNamed) {
   ModelBuilder builder;
   const NodeId n0 = builder.add_node({0, 0, 0}), n1 = builder.add_node({1, 0, 0});
