@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "check/checks.hpp"
-#include "check/coincident_nodes.hpp"
+#include "geometry/coincident_nodes.hpp"
 #include "check/face_pairs.hpp"
 #include "geometry/quality.hpp"
 

@@ -76,6 +76,14 @@ struct Corefined {
     std::size_t feature = 1;  // which of the two faces has the edge or vertex that ends there
   };
   std::vector<OpenGap> left_open;  // in the order of the components
+
+  /// A place where an open seam of one component (free edges within the tolerance of each other) is met by another:
+  /// its borders share the vertex there now.
+  struct JoinedSeam {
+    ElementRef face;  // on one of the borders
+    Vec3 at;
+  };
+  std::vector<JoinedSeam> joined_seams;  // in the order of the components
 };
 
 /// Why components could not be made conforming; `merge` turns it into an Error with labels.

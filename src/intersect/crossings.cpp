@@ -5,6 +5,7 @@
 
 #include "geometry/predicates.hpp"
 #include "intersect/meeting.hpp"
+#include "intersect/seams.hpp"
 
 namespace meshgraft {
 namespace {
@@ -49,6 +50,7 @@ void find_in_pair(const Meeting& m, const FacePair& pair, std::size_t s, std::ve
 }  // namespace
 
 void find_crossings(Meeting& m) {
+  Seams seams(m);
   for (const std::size_t s : kSides) {
     std::vector<Crossing> found;
     for (const FacePair& p : m.pairs) find_in_pair(m, p, s, found);
@@ -60,7 +62,7 @@ void find_crossings(Meeting& m) {
       std::array<Carrier, 2> on;
       on[s] = {Carrier::kEdge, c.edge, c.t};
       on[1 - s] = {Carrier::kFace, c.face, 0};
-      m.add({m.new_vertex(c.point, on), on});
+      m.add(seams.shared_or_new(c.point, on));
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "geometry/closest.hpp"
 #include "intersect/meeting.hpp"
+#include "intersect/seams.hpp"
 
 namespace meshgraft {
 namespace {
@@ -163,7 +164,7 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
 /// thinner than the tolerance (a piece left by an earlier component) would fold onto it.
 bool would_flatten(const Meeting& m, std::size_t s, VertexId v, LocalFace g) {
   const auto is_on = [&](VertexId w) {
-    return w == v || (m.has_symbol(s, w) && m.on_face(m.symbols[m.symbol_of[s][w.value]], 1 - s, g));
+    return w == v || m.any_symbol(s, w, [&](const Symbol& symbol) { return m.on_face(symbol, 1 - s, g); });
   };
   const auto faces = m.side[s].faces_at(v);
   return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) {
@@ -179,12 +180,14 @@ bool would_flatten(const Meeting& m, std::size_t s, VertexId v, const Carrier& o
 }
 
 /// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
-void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carrier::Kind kind) {
+void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& landings, Carrier::Kind kind) {
   for (const Landing& l : landings) {
     Symbol symbol{l.vertex, {}};
     symbol.on[s] = vertex(l.vertex);
     symbol.on[1 - s] = {kind, l.on, l.t};
     if (l.is_gap && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
+    if (const auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point))
+      if (seams.close(s, l.vertex, *other)) continue;
     m.has_closed_gap |= l.is_gap;
     m.add(symbol);
     m.join_groups(l.vertex, 1 - s, symbol.on[1 - s]);
@@ -198,7 +201,8 @@ void land(Meeting& m, std::size_t s, const std::vector<Landing>& landings, Carri
 bool share_symbol(const Meeting& m, LocalEdge e, LocalEdge f) {
   for (const std::size_t s : kSides)
     for (const VertexId v : m.side[s].ends(s == 0 ? e : f))
-      if (m.has_symbol(s, v) && m.on_edge(m.symbols[m.symbol_of[s][v.value]], 1 - s, s == 0 ? f : e)) return true;
+      if (m.any_symbol(s, v, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, s == 0 ? f : e); }))
+        return true;
   return false;
 }
 
@@ -263,22 +267,27 @@ bool is_doubtful(const Meeting& m, const EdgePair& p) {
 void declare_vertices(Meeting& m) {
   m.ending = ending_features(m, &Snap::feature);
   declare_shared(m);
+  Seams seams(m);
   declare_vertex_on_vertex(m);
   // A replaced vertex is where its replacement is; the geometry of side 1 follows at once.
   for (const auto& [y, x] : m.replaced) m.complex.position[y.value] = m.at(x);
-  land(m, 1, landings_on_edges(m, 1), Carrier::kEdge);
-  land(m, 1, landings_on_faces(m, 1), Carrier::kFace);
-  land(m, 0, landings_on_edges(m, 0), Carrier::kEdge);
-  land(m, 0, landings_on_faces(m, 0), Carrier::kFace);
+  seams.close_at_symbols();
+  land(m, seams, 1, landings_on_edges(m, 1), Carrier::kEdge);
+  land(m, seams, 1, landings_on_faces(m, 1), Carrier::kFace);
+  land(m, seams, 0, landings_on_edges(m, 0), Carrier::kEdge);
+  land(m, seams, 0, landings_on_faces(m, 0), Carrier::kFace);
+  seams.close_at_symbols();
+  seams.declare_edges_at_vertices();
 }
 
 void declare_edges(Meeting& m) {
+  Seams seams(m);
   for (const EdgePair& p : passing_edges(m)) {
     if (p.is_gap && is_doubtful(m, p)) continue;
     m.has_closed_gap |= p.is_gap;
     const std::array<Carrier, 2> on{Carrier{Carrier::kEdge, p.edge[0], p.t[0]},
                                     Carrier{Carrier::kEdge, p.edge[1], p.t[1]}};
-    m.add({m.new_vertex(p.point, on), on});
+    m.add(seams.shared_or_new(p.point, on));
     m.crossed_edges.insert(p.edge);
   }
 }

@@ -183,6 +183,7 @@ class Joiner {
     if (settled_) return std::nullopt;
     if (options_.mode == Mode::kFaceFace) return ImprintFault{other_meeting(m), {}};
     remember(m.moved, m.replaced);
+    joining_.joined_seams.insert(joining_.joined_seams.end(), m.seams.begin(), m.seams.end());
     const auto imprint = link_symbols(m, options_);
     if (!imprint) {
       // In the first round the inputs overlap; later it is something that bending has made.

@@ -74,7 +74,7 @@ std::array<Imprint, 2> collect_points(const Meeting& m) {
       if (on.kind == Carrier::kFace) imprint[s].on_faces.push_back({on.id, symbol.vertex});
     }
     std::sort(imprint[s].on_edges.begin(), imprint[s].on_edges.end());
-    std::sort(imprint[s].on_faces.begin(), imprint[s].on_faces.end());
+    make_distinct(imprint[s].on_faces);
   }
   return imprint;
 }

@@ -265,7 +265,7 @@ class Declarer {
   [[nodiscard]] bool share_symbol(LocalEdge e, LocalEdge f) const {
     for (const std::size_t s : kSides)
       for (const VertexId v : m_.side[s].ends(s == 0 ? e : f))
-        if (m_.has_symbol(s, v) && m_.on_edge(m_.symbols[m_.symbol_of[s][v.value]], 1 - s, s == 0 ? f : e)) return true;
+        if (m_.any_symbol(s, v, [&](const Symbol& a) { return m_.on_edge(a, 1 - s, s == 0 ? f : e); })) return true;
     return false;
   }
 

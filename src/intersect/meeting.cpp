@@ -61,9 +61,9 @@ bool Meeting::on_face(const Symbol& symbol, std::size_t s, LocalFace f) const {
 
 bool Meeting::meet(std::size_t s, LocalEdge e, LocalFace f) const {
   for (const VertexId v : side[s].ends(e))
-    if (has_symbol(s, v) && on_face(symbols[symbol_of[s][v.value]], 1 - s, f)) return true;
+    if (any_symbol(s, v, [&](const Symbol& symbol) { return on_face(symbol, 1 - s, f); })) return true;
   for (const VertexId v : side[1 - s].corners(f))
-    if (has_symbol(1 - s, v) && on_edge(symbols[symbol_of[1 - s][v.value]], s, e)) return true;
+    if (any_symbol(1 - s, v, [&](const Symbol& symbol) { return on_edge(symbol, s, e); })) return true;
   for (const LocalEdge of_face : side[1 - s].edges(f))
     if (crossed_edges.contains(s == 0 ? std::array{e, of_face} : std::array{of_face, e})) return true;
   return false;
@@ -72,9 +72,13 @@ bool Meeting::meet(std::size_t s, LocalEdge e, LocalFace f) const {
 std::uint32_t Meeting::add(const Symbol& symbol) {
   const auto id = static_cast<std::uint32_t>(symbols.size());
   symbols.push_back(symbol);
-  for (const std::size_t s : kSides)
-    if (symbol.on[s].kind == Carrier::kVertex && symbol_of[s][symbol.on[s].id] == kNowhere)
-      symbol_of[s][symbol.on[s].id] = id;
+  next.push_back({kNowhere, kNowhere});
+  for (const std::size_t s : kSides) {
+    if (symbol.on[s].kind != Carrier::kVertex) continue;
+    std::uint32_t* last = &symbol_of[s][symbol.on[s].id];
+    while (*last != kNowhere) last = &next[*last][s];
+    *last = id;
+  }
   return id;
 }
 
@@ -180,6 +184,8 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
             rule,
             {Side(complex, std::move(faces[0]), is_first, sharp_angle),
              Side(complex, std::move(faces[1]), is_second, sharp_angle)},
+            {},
+            {},
             {},
             {},
             {},

@@ -84,13 +84,15 @@ struct Meeting {
   std::vector<FacePair> pairs;  // ascending
 
   std::vector<Symbol> symbols;
-  std::array<std::vector<std::uint32_t>, 2> symbol_of;  // by side and vertex; kNowhere if none
+  std::array<std::vector<std::uint32_t>, 2> symbol_of;  // by side and vertex: the first; kNowhere if none
+  std::vector<std::array<std::uint32_t, 2>> next;       // by symbol and side: the next of the same vertex there
   /// By side and vertex: where it lies in the surface of that side, if the sides keep a distance. Faces
   /// are cut there. Empty: at its position on both sides.
   std::array<std::vector<Vec3>, 2> chart;
   std::set<std::array<LocalEdge, 2>> crossed_edges;  // pairs of edges with a symbol inside both
   std::vector<std::array<VertexId, 2>> replaced;     // vertex of side 1, of side 0 that it became
   std::vector<std::pair<VertexId, Vec3>> moved;      // vertex of side 1, where it was
+  std::vector<Corefined::JoinedSeam> seams;          // see Seams
   bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
   EndingFeatures ending{};  // within the snap length; set by declare_vertices()
@@ -104,6 +106,14 @@ struct Meeting {
   [[nodiscard]] bool has_symbol(std::size_t s, VertexId v) const { return symbol_of[s][v.value] != kNowhere; }
   /// Whether a vertex was made for a symbol; it is on neither side.
   [[nodiscard]] bool is_new(VertexId v) const { return v.value >= symbol_of[0].size(); }
+
+  /// True if some symbol of a vertex of side s is so.
+  template <class F>
+  [[nodiscard]] bool any_symbol(std::size_t s, VertexId v, F&& is) const {
+    for (std::uint32_t i = symbol_of[s][v.value]; i != kNowhere; i = next[i][s])
+      if (is(symbols[i])) return true;
+    return false;
+  }
 
   /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
   [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const;

@@ -45,6 +45,9 @@ class Side {
   /// All faces of this side at the edge, far ones too.
   [[nodiscard]] std::uint32_t n_faces_at(LocalEdge e) const { return n_at_edge_[e]; }
 
+  /// One face in all, unless both ends are frozen, where others may be missing.
+  [[nodiscard]] bool is_free(LocalEdge e) const { return n_at_edge_[e] == 1 && edge_feature_[e] != 0; }
+
   /// Free, sharp or non-manifold edges; their ends; pinned vertices.
   [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
   [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }

@@ -93,6 +93,21 @@ std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::Ope
   return errors;
 }
 
+std::vector<Warning> joined_seam_warnings(Inputs inputs, std::span<const Corefined::JoinedSeam> seams) {
+  std::vector<std::vector<Corefined::JoinedSeam>> of_input(inputs.size());
+  for (const Corefined::JoinedSeam& seam : seams) of_input[seam.face.input].push_back(seam);
+  std::vector<Warning> warnings;
+  for (const auto& found : of_input) {
+    if (found.empty()) continue;
+    const auto& [face, at] = found.front();
+    std::string text = "the junction passes over an open seam at " + text_of(inputs, face) + ", " + text_of(at) +
+                       ": the sides of the seam share its node there";
+    if (found.size() > 1) text += "; so do those at " + std::to_string(found.size() - 1) + " more places";
+    warnings.push_back({"seam-joined", std::move(text), place_of(*inputs[face.input], face.element)});
+  }
+  return warnings;
+}
+
 std::vector<std::uint32_t> parts_apart(const Components& components,
                                        std::span<const std::array<std::uint32_t, 2>> met) {
   std::vector<std::vector<std::uint32_t>> meets(components.input_order.size());

@@ -20,6 +20,9 @@ namespace meshgraft {
 /// Places within the tolerance at which the parts were not joined, as broken promises with labels.
 [[nodiscard]] std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps);
 
+/// One warning for each input with open seams that the junction joins, with the first place.
+[[nodiscard]] std::vector<Warning> joined_seam_warnings(Inputs inputs, std::span<const Corefined::JoinedSeam> seams);
+
 /// The parts that no chain of meetings joins to the base, ascending.
 /// `met`: pairs of components that meet.
 [[nodiscard]] std::vector<std::uint32_t> parts_apart(const Components& components,

@@ -10,6 +10,7 @@
 #include "check/face_pairs.hpp"
 #include "geometry/quality.hpp"
 #include "merge/free_edges.hpp"
+#include "zone/open_seams.hpp"
 
 namespace meshgraft {
 namespace {
@@ -94,8 +95,43 @@ class ResultCheck {
            std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
   }
 
+  /// Faces on both sides of an open seam meet there as neighbours do: in nodes in one place, or along a free edge.
+  void leave_out_seams(std::vector<std::array<FaceId, 2>>& pairs) const {
+    if (pairs.empty()) return;
+    std::vector<VertexId> corners;
+    for (const auto& pair : pairs)
+      for (const FaceId f : pair)
+        corners.insert(corners.end(), complex_.face[f.value].begin(), complex_.face[f.value].end());
+    const std::vector<VertexId> place = place_of_nodes(complex_, std::move(corners));
+    const EdgeTable edges(complex_);
+    const auto places = [&](FaceId f) {
+      const auto& v = complex_.face[f.value];
+      return std::array{place[v[0].value].value, place[v[1].value].value, place[v[2].value].value};
+    };
+    std::erase_if(pairs, [&](const auto& pair) {
+      const auto [f, g] = pair;
+      if (complex_.component[f.value] != complex_.component[g.value]) return false;
+      return is_beyond_free_edge(edges, f, g) || is_beyond_free_edge(edges, g, f) ||
+             !meet_beyond_shared(places(f), complex_.corners(f), places(g), complex_.corners(g));
+    });
+  }
+
+  /// Whether all of g lies beyond a free edge of f, up to rounding, seen in the plane of f.
+  [[nodiscard]] bool is_beyond_free_edge(const EdgeTable& edges, FaceId f, FaceId g) const {
+    constexpr double kRounding = 1e-6;  // of the mean edge length
+    const Triangle t = complex_.corners(f), u = complex_.corners(g);
+    const double reach = kRounding * mean_edge_length(t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (edges.uses(edges.of(f, k)).size() != 1) continue;
+      const Vec3 outward = normalized(cross(t[(k + 1) % 3] - t[k], area_vector(t)));
+      if (std::ranges::all_of(u, [&](Vec3 p) { return dot(outward, p - t[k]) >= -reach; })) return true;
+    }
+    return false;
+  }
+
   [[nodiscard]] ResultVerdict intersections() const {
-    const auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
+    auto pairs = intersecting_faces(complex_, outcome_.stitched.changed);
+    leave_out_seams(pairs);
     if (pairs.empty()) return {};
     // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
     const std::vector<ParentPair> excused = outcome_.fills ? std::vector<ParentPair>{} : met_before();

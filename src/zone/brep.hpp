@@ -58,8 +58,8 @@ struct BrepOptions {
 };
 
 /// Curves are: junction edges, free edges, non-manifold edges, sharp edges, edges between faces of
-/// different group set, attributes, component or orientation, edges with 1D elements, fixed edges. An edge that
-/// is fixed, or has a kFrozen end, is a curve of its own.
+/// different group set, attributes, component or orientation, edges with 1D elements, fixed edges. The borders of an
+/// open seam are fixed (free edges in one place). An edge that is fixed, or has a kFrozen end, is a curve of its own.
 ///
 /// Corners are: vertices where other than two curve edges meet or where the two differ in what
 /// they bound or carry; sharp turns; bends between 1D elements; kPinned and kFrozen vertices; junction points; ends of

@@ -7,6 +7,7 @@
 
 #include "core/blocks.hpp"
 #include "geometry/quality.hpp"
+#include "zone/open_seams.hpp"
 #include "zone/original_faces.hpp"
 
 namespace meshgraft {
@@ -110,6 +111,8 @@ CurveEdges curve_edges(const Complex& complex, const EdgeTable& edges, const Par
     if (const EdgeId e = edges.find(a, b); e.valid()) result.junction[e.value] = 1;
   for (const auto& [a, b] : complex.fixed_edges)
     if (const EdgeId e = edges.find(a, b); e.valid()) result.fixed[e.value] = 1;
+  // Nodes added on one border of an open seam would face none on the other.
+  for (const EdgeId e : seam_edges(complex, edges)) result.fixed[e.value] = 1;
   place_lines(complex, edges, result);
 
   const Classifier classifier(complex, edges, parents, result, options);

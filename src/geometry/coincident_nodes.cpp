@@ -1,4 +1,4 @@
-#include "check/coincident_nodes.hpp"
+#include "geometry/coincident_nodes.hpp"
 
 #include <tbb/parallel_sort.h>
 

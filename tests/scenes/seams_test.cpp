@@ -1,0 +1,110 @@
+// Laws of a merge over open seams: nodes and free edges of one mesh in one place, not connected.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "meshgraft/check.hpp"
+#include "meshgraft/merge.hpp"
+#include "support/scenes.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kSize = 0.1;
+
+double uniform(double low, double high) {
+  constexpr int kSteps = 1 << 20;
+  return low + (high - low) * *rc::gen::inRange(0, kSteps + 1) / kSteps;
+}
+
+/// Two plates side by side, `width` apart; the second has edges of another length if the seam does not match.
+Model split_plate(Vec3 origin, Vec3 u, Vec3 v, double width, double second_size) {
+  const Vec3 half = 0.5 * u, gap = width * normalized(u);
+  return scenes::together(std::array{scenes::plate(origin, half, v, kSize, "LEFT", 0.15),
+                                     scenes::plate(origin + half + gap, half, v, second_size, "RIGHT", 0.15)});
+}
+
+/// Nodes that faces of both groups have.
+std::size_t n_shared(const Model& m) {
+  std::array<std::set<NodeId>, 2> nodes;
+  for (std::size_t e = 0; e < m.n_elements(); ++e)
+    for (const GroupId g : m.group_sets.members(m.element_groups[e]))
+      for (const std::size_t k : {0, 1})
+        if (m.groups[g.value].name == (k == 0 ? "LEFT" : "RIGHT"))
+          for (const NodeId n : m.nodes_of(ElementId(e))) nodes[k].insert(n);
+  return static_cast<std::size_t>(std::ranges::count_if(nodes[0], [&](NodeId n) { return nodes[1].contains(n); }));
+}
+
+bool says_seam(const Report& report) {
+  return std::ranges::any_of(report.warnings, [](const Warning& w) { return w.name == "seam-joined"; });
+}
+
+struct Scene {
+  Model wall, part;
+  double width = 0;     // of the seam
+  bool matches = true;  // node on node
+};
+
+/// A part across the seam of the wall, through it or ending on it; or a wall under, or through, the seam of the part.
+Scene random_scene(bool seam_in_wall) {
+  const double width = *rc::gen::element(0.0, 1e-14, 1e-10, 1e-6, 1e-4);
+  const double second_size = *rc::gen::element(1.0, 1.0, 0.5) * kSize;
+  const double turn = uniform(-1, 1), lean = uniform(0.8, std::numbers::pi / 2);
+  const double below = *rc::gen::element(0.0, 0.3);
+  // Through nodes of the seam, up to rounding, or clear of them: a piece of an edge of the seam stays as short as it
+  // is.
+  const double y = *rc::gen::element(1.05, 1.0, 1.0 + 1e-7) + 0.1 * *rc::gen::inRange(-4, 5);
+  const Vec3 along = *rc::gen::arbitrary<bool>() ? Vec3{1, 0, 0} : Vec3{std::cos(turn), std::sin(turn), 0};
+  const Vec3 up = std::cos(lean) * Vec3{-along.y, along.x, 0} + Vec3{0, 0, std::sin(lean)};
+  const Vec3 middle{1, y, 0};
+  const Vec3 from = middle - 0.45 * along - below * up, height = (below + 0.4) * up;
+  if (seam_in_wall)
+    return {split_plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, width, second_size),
+            scenes::plate(from, 0.9 * along, height, kSize, "PART", 0.1), width, second_size == kSize};
+  return {scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, kSize, "WALL", 0.15),
+          split_plate(from, 0.9 * along, height, width, second_size), width, second_size == kSize};
+}
+
+void joins_over_seams(bool seam_in_wall) {
+  const bool held = rc::check([=] {
+    const Scene s = random_scene(seam_in_wall);
+    const auto merged = merge(s.wall, std::span(&s.part, 1));
+    if (!merged) RC_FAIL(to_string(merged.error()));
+    for (const Error& e : merged->report.broken_promises) RC_LOG() << to_string(e) << '\n';
+    RC_ASSERT(merged->report.broken_promises.empty());
+    RC_ASSERT(says_seam(merged->report));
+    const Model result = apply(s.wall, std::span(&s.part, 1), *merged);
+    const std::size_t shared = n_shared(result);
+    RC_ASSERT(shared == 1u || (!seam_in_wall && shared > 0u));
+    const CheckResult found = check(result), wall = check(s.wall), part = check(s.part);
+    RC_ASSERT(found.non_manifold_edges > 0u);
+    if (s.matches) RC_ASSERT(found.n_coincident_nodes <= wall.n_coincident_nodes + part.n_coincident_nodes);
+    RC_ASSERT(std::abs(found.area - wall.area - part.area) <=
+              1e-6 * found.area + 4 * static_cast<double>(shared) * s.width * kSize);
+  });
+  EXPECT_TRUE(held);
+}
+
+TEST(Seams, OfAWallShareOneNodeWhereAPartCrossesThem) { joins_over_seams(true); }
+TEST(Seams, OfAPartShareNodesWhereItMeetsTheWall) { joins_over_seams(false); }
+
+TEST(Seams, KeepTheirNodesBesideTheJunction) {
+  const Model wall = split_plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0, kSize);
+  const Model part = scenes::plate({0.5, 0.95, -0.3}, {1, 0, 0}, {0, 0, 0.6}, kSize, "PART");
+  const auto merged = merge(wall, std::span(&part, 1));
+  ASSERT_TRUE(merged);
+  const Model result = apply(wall, std::span(&part, 1), *merged);
+  const std::set<std::int64_t> labels(result.node_label.begin(), result.node_label.end());
+  for (std::size_t n = 0; n < wall.n_nodes(); ++n) {
+    const bool on_seam = wall.position[n].x == 1;
+    EXPECT_TRUE(!on_seam || labels.contains(wall.node_label[n])) << wall.node_label[n];
+  }
+}
+
+}  // namespace
+}  // namespace meshgraft
