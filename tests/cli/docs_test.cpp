@@ -81,6 +81,8 @@ TEST(ReportDocument, NamesEveryFieldThatThereIs) {
   full.components[0].groups = {"WALL"};
   full.junction.resize(1);
   full.junction[0].inputs = full.junction[0].components = {0, 1};
+  full.overlaps.resize(1);
+  full.overlaps[0].inputs = full.overlaps[0].components = {0, 1};
   full.zone.bandwidth = {1};
   full.quality.worst.resize(1);
   full.groups.resize(1);
