@@ -121,6 +121,11 @@ struct Report {
   struct Fidelity {
     double max_distance = 0, max_distance_relative = 0;  // relative: over the local edge length
     Vec3 at;
+    /// The other way: from the surface that was removed to the new faces with its groups and attributes.
+    struct Removed {
+      double max_distance = 0, max_distance_relative = 0;
+      Vec3 at;
+    } removed;
   } fidelity;
   std::vector<GroupEntry> groups;
   struct Untouched {

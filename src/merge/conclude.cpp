@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "merge/coverage.hpp"
 #include "merge/faults.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/labels.hpp"
@@ -57,8 +58,10 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;
+  CoverageVerdict coverage;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] { fidelity = fidelity_of(outcome, options.tolerance); },
+                       [&] { coverage = coverage_of(outcome, options.tolerance); },
                        [&] { quality = quality_of(outcome, bad, options.min_quality); },
                        [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
@@ -67,7 +70,9 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));
   report.fidelity = fidelity.figures;
+  report.fidelity.removed = coverage.figures;
   append(report.broken_promises, std::move(fidelity.broken));
+  append(report.broken_promises, std::move(coverage.broken));
 }
 
 }  // namespace

@@ -105,7 +105,11 @@ std::string to_json(const Report& r) {
   all["quality"] = json(r.quality);
   all["fidelity"] = {{"max_distance", r.fidelity.max_distance},
                      {"max_distance_relative", r.fidelity.max_distance_relative},
-                     {"at", json(r.fidelity.at)}};
+                     {"at", json(r.fidelity.at)},
+                     {"removed",
+                      {{"max_distance", r.fidelity.removed.max_distance},
+                       {"max_distance_relative", r.fidelity.removed.max_distance_relative},
+                       {"at", json(r.fidelity.removed.at)}}}};
   all["groups"] = list(r.groups);
   all["untouched"] = {{"nodes", r.untouched.nodes}, {"elements", r.untouched.elements}, {"bytes", r.untouched.bytes}};
   all["dropped"] = list(r.dropped);

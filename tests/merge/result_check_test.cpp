@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "merge/coverage.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/hand_made.hpp"
 #include "merge/quality_summary.hpp"
@@ -168,6 +169,46 @@ TEST(Fidelity, FlatSplitsAreOnTheSurface) {
   const FidelityVerdict verdict = fidelity_of(m.outcome(), Tolerance{});
   EXPECT_EQ(verdict.figures.max_distance, 0);
   EXPECT_TRUE(verdict.broken.empty());
+}
+
+TEST(Coverage, FlatSplitsCoverWhatWasThere) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{5}));
+  m.stitch_now();
+  const CoverageVerdict verdict = coverage_of(m.outcome(), Tolerance{});
+  EXPECT_EQ(verdict.figures.max_distance, 0);
+  EXPECT_TRUE(verdict.broken.empty());
+}
+
+TEST(Coverage, ABulgeFilledFlatIsMeasuredFromItsTop) {
+  Model bulged = plate();
+  bulged.position[12].z += 0.4;
+  HandMade m({bulged});
+  const VertexId top = m.vertex(0, 12);
+  m.final_complex.position[top.value].z = 0, m.final_complex.node[top.value] = {};
+  m.stitch_now();
+  const CoverageVerdict verdict = coverage_of(m.outcome(), Tolerance{});
+  EXPECT_NEAR(verdict.figures.max_distance, 0.4, 1e-12);
+  EXPECT_EQ(verdict.figures.at.z, 0.4);
+  ASSERT_FALSE(verdict.broken.empty());
+  EXPECT_TRUE(says(verdict.broken, "the surface of element"));
+}
+
+TEST(Coverage, AFaceInOtherGroupsThanTheSurfaceBeneathIsNoticed) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{5}));
+  m.final_complex.face_groups.back() = GroupSets::kEmpty;
+  m.stitch_now();
+  EXPECT_TRUE(says(coverage_of(m.outcome(), Tolerance{}).broken, "is not where the input has its groups"));
+}
+
+TEST(Coverage, GroupsThatNoNewFaceHasAreNoticed) {
+  HandMade m({plate()});
+  m.split_face(FaceId(std::size_t{5}));
+  for (const std::size_t f : {std::size_t{5}, m.final_complex.n_faces() - 2, m.final_complex.n_faces() - 1})
+    m.final_complex.face_groups[f] = GroupSets::kEmpty;
+  m.stitch_now();
+  EXPECT_TRUE(says(coverage_of(m.outcome(), Tolerance{}).broken, "no new face has its groups"));
 }
 
 TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {

@@ -1,0 +1,187 @@
+#include "merge/coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "geometry/box_tree.hpp"
+#include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
+
+namespace meshgraft {
+namespace {
+
+/// What a face is, apart from its place.
+using Key = std::tuple<std::vector<std::uint32_t>, GroupSetId, AttributesId>;
+
+/// Faces of one complex that are alike.
+class Patch {
+ public:
+  void add(const Triangle& t) {
+    Box box;
+    for (const Vec3 p : t) box.add(p);
+    faces_.push_back(t), boxes_.push_back(box);
+  }
+  void build() { tree_ = BoxTree(boxes_); }
+
+  [[nodiscard]] bool is_within(Vec3 p, double distance) const {
+    Box box;
+    box.add(p);
+    bool found = false;
+    tree_.overlapping(box.grown(distance),
+                      [&](std::uint32_t f) { found = found || squared_distance(p, f) <= distance * distance; });
+    return found;
+  }
+  [[nodiscard]] double distance(Vec3 p) const {
+    return std::sqrt(tree_.nearest(p, [&](std::uint32_t f) { return squared_distance(p, f); }).squared_distance);
+  }
+
+ private:
+  [[nodiscard]] double squared_distance(Vec3 p, std::uint32_t f) const {
+    return squared_norm(p - closest_on_triangle(p, faces_[f]).point);
+  }
+  std::vector<Triangle> faces_;
+  std::vector<Box> boxes_;
+  BoxTree tree_;
+};
+
+class Coverage {
+ public:
+  Coverage(const Outcome& outcome, const Tolerance& tolerance, const CoverageLimits& limits)
+      : outcome_(outcome),
+        before_(outcome.corefined.complex),
+        after_(outcome.final_complex),
+        tolerance_(tolerance),
+        limits_(limits) {
+    for (std::size_t f = 0; f < before_.n_faces(); ++f)
+      if (is_removed(FaceId(f))) removed_.emplace_back(f);
+    for (std::size_t f = 0; f < after_.n_faces(); ++f)
+      if (outcome.is_new(FaceId(f))) new_.emplace_back(f);
+  }
+
+  CoverageVerdict run() {
+    if (outcome_.fills) return {};  // there was nothing
+    look_from_removed();
+    look_from_new();
+    return std::move(verdict_);
+  }
+
+ private:
+  using Patches = std::map<Key, Patch>;
+
+  [[nodiscard]] bool is_removed(ElementRef parent) const {
+    return std::ranges::binary_search(outcome_.graft.removed_elements[parent.input], parent.element);
+  }
+  [[nodiscard]] bool is_removed(FaceId f) const {
+    return is_removed(before_.parent[f.value]) ||
+           (outcome_.all_layers && std::ranges::any_of(before_.layers_of(f), [&](const Complex::Layer& layer) {
+              return is_removed(layer.parent);
+            }));
+  }
+
+  [[nodiscard]] static Key whole_key(const Complex& complex, FaceId f) {
+    return {complex.components_of(f), complex.face_groups[f.value], complex.face_attributes[f.value]};
+  }
+
+  /// What a face to remesh stands for. Where all layers stay each becomes a face of its own, if it is remeshed.
+  [[nodiscard]] std::vector<Key> keys_before(FaceId f) const {
+    if (!outcome_.all_layers) return {whole_key(before_, f)};
+    std::vector<Key> all;
+    if (is_removed(before_.parent[f.value])) all.push_back({{before_.component[f.value]}, {}, {}});
+    for (const Complex::Layer& layer : before_.layers_of(f))
+      if (is_removed(layer.parent)) all.push_back({{layer.component}, {}, {}});
+    return all;
+  }
+  [[nodiscard]] std::vector<Key> keys_after(FaceId f) const {
+    return {outcome_.all_layers ? Key{{after_.component[f.value]}, {}, {}} : whole_key(after_, f)};
+  }
+
+  template <class F>
+  [[nodiscard]] static Patches patches(const Complex& complex, const std::vector<FaceId>& faces, F&& keys) {
+    Patches all;
+    for (const FaceId f : faces)
+      for (const Key& key : keys(f)) all[key].add(complex.corners(f));
+    for (auto& [k, patch] : all) patch.build();
+    return all;
+  }
+
+  [[nodiscard]] double edge_length(ElementRef parent) const {
+    return mean_edge_length(outcome_.inputs[parent.input]->corners(parent.element));
+  }
+  [[nodiscard]] double allowed(double length) const {
+    return std::max(limits_.max_relative * length, tolerance_.at(length));
+  }
+
+  /// Corners and centroids of what was removed.
+  void look_from_removed() {
+    const Patches there = patches(after_, new_, [&](FaceId f) { return keys_after(f); });
+    Report::Fidelity::Removed& worst = verdict_.figures;
+    FaceId at_face;
+    bool lost = false;
+    for (const FaceId f : removed_) {
+      const double length = edge_length(before_.parent[f.value]);
+      const auto [a, b, c] = before_.corners(f);
+      for (const Key& key : keys_before(f)) {
+        const auto patch = there.find(key);
+        if (patch == there.end() && !lost) lost = true, at_face = f, worst.at = (a + b + c) / 3.0;
+        if (lost) break;
+        for (const Vec3 p : {(a + b + c) / 3.0, a, b, c}) {
+          if (patch->second.is_within(p, std::max(kNegligible, worst.max_distance_relative) * length)) continue;
+          const double d = patch->second.distance(p);
+          worst = {std::max(worst.max_distance, d), d / length, p};
+          at_face = f;
+        }
+      }
+    }
+    if (!at_face.valid()) return;
+    const ElementRef parent = before_.parent[at_face.value];
+    const double length = edge_length(parent);
+    if (!lost && worst.max_distance_relative * length <= allowed(length)) return;
+    verdict_.broken.push_back({ErrorCode::kPromiseBroken,
+                               "the surface of " + text_of(outcome_.inputs, parent) + " is gone around " +
+                                   text_of(worst.at) +
+                                   (lost ? ": no new face has its groups and properties"
+                                         : ": the new faces with its groups and properties are " +
+                                               text_of(worst.max_distance_relative * length) + " off, " +
+                                               text_of(100 * worst.max_distance_relative) + " % of the edge length"),
+                               "give a smaller --size, so that the surface is followed more closely",
+                               place_of(*outcome_.inputs[parent.input], parent.element)});
+  }
+
+  /// Centroids of the new faces.
+  void look_from_new() {
+    const Patches was = patches(before_, removed_, [&](FaceId f) { return keys_before(f); });
+    for (const FaceId f : new_) {
+      const double length = outcome_.input_edge_length(f);
+      const auto was_there = [&](const Key& key) {
+        const auto patch = was.find(key);
+        return patch != was.end() && patch->second.is_within(centroid(after_.corners(f)), allowed(length));
+      };
+      if (std::ranges::all_of(keys_after(f), was_there)) continue;
+      verdict_.broken.push_back(
+          {ErrorCode::kPromiseBroken, outcome_.text(f) + " is not where the input has its groups and properties",
+           "look at the place in both inputs, and try another --size or --bandwidth", outcome_.parent_place(f)});
+      return;
+    }
+  }
+
+  static constexpr double kNegligible = 1e-9;  // share of the edge length: rounding
+
+  const Outcome& outcome_;
+  const Complex& before_;
+  const Complex& after_;
+  const Tolerance& tolerance_;
+  const CoverageLimits& limits_;
+  std::vector<FaceId> removed_, new_;  // of before_, of after_; ascending
+  CoverageVerdict verdict_;
+};
+
+}  // namespace
+
+CoverageVerdict coverage_of(const Outcome& outcome, const Tolerance& tolerance, const CoverageLimits& limits) {
+  return Coverage(outcome, tolerance, limits).run();
+}
+
+}  // namespace meshgraft
