@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "check/checks.hpp"
-#include "geometry/coincident_nodes.hpp"
 #include "check/face_pairs.hpp"
+#include "geometry/coincident_nodes.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {

@@ -15,7 +15,7 @@ namespace meshgraft {
 namespace {
 
 constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
-constexpr double kAcross = 0.5;  // cosine of the angle to the normal up to which a way leads across
+constexpr double kAcross = 0.5;          // cosine of the angle to the normal up to which a way leads across
 
 bool are_neighbours(const Complex& complex, FaceId f, FaceId g) {
   return std::ranges::find_first_of(complex.face[f.value], complex.face[g.value]) != complex.face[f.value].end();
@@ -130,7 +130,7 @@ std::optional<JunctionFault> find_thin_part(const Complex& complex, std::span<co
     double distance = std::numeric_limits<double>::infinity();
     std::array<FaceId, 2> pair;
   } nearest;
-  const Walk walk(complex);
+  std::optional<Walk> walk;  // most meshes need none
   for (std::size_t k = 0; k < contacts.pairs.size(); ++k) {
     const auto& [f, g] = contacts.pairs[k];
     if (contacts.on_each_other[k] == 0 || f >= g || are_neighbours(complex, f, g)) continue;
@@ -139,7 +139,8 @@ std::optional<JunctionFault> find_thin_part(const Complex& complex, std::span<co
     if (d <= rule.weld(least_size) || d > rule.gap(least_size) || d >= nearest.distance) continue;
     // Faces beside each other in one plane are near along it.
     if (std::abs(dot(way, unit_normal(complex.corners(f)))) < kAcross * d) continue;
-    if (!walk.is_one_side(f, g, rule.gap(least_size))) nearest = {d, {f, g}};
+    if (!walk) walk.emplace(complex);
+    if (!walk->is_one_side(f, g, rule.gap(least_size))) nearest = {d, {f, g}};
   }
   const auto& [f, g] = nearest.pair;
   if (!f.valid()) return std::nullopt;

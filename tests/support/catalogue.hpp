@@ -13,9 +13,9 @@ struct Merge {
   std::string name;
   Model base;
   std::vector<Model> parts;
-  double min_q = 0.5;   // the least Q that the input angles allow
-  double mean_q = 0.9;  // 0.85 where sizes grade
-  bool apart = false;   // the part misses the base
+  double min_q = 0.5;        // the least Q that the input angles allow
+  double mean_q = 0.9;       // 0.85 where sizes grade
+  bool apart = false;        // the part misses the base
   double max_off = 0.1;      // edge lengths by which new faces may be off the surface
   double joined_length = 0;  // of the junction; 0: not said
   MergeOptions options;
