@@ -140,7 +140,7 @@ std::string labels(const Report& report, const MergeArguments& arguments) {
 std::string moved(const Report& report, const MergeArguments& arguments) {
   if (report.moved.empty()) return "no node of an input";
   const auto furthest = std::ranges::max_element(report.moved, {}, &MovedEntry::distance);
-  return fmt::format("{} of the parts, at most {} (node {} of {})", counted(report.moved.size(), "node", "nodes"),
+  return fmt::format("{}, at most {} (node {} of {})", counted(report.moved.size(), "node", "nodes"),
                      figure(furthest->distance), furthest->node, input_name(arguments, furthest->input));
 }
 

@@ -7,6 +7,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kExcused = 0.1;  // Q below which no input is an excuse: that of an angle of 3.5 degrees
 constexpr std::size_t kWorstListed = 10;
 constexpr double kFirstPercentile = 0.01;
 
@@ -74,7 +75,8 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
           {f.q, centroid(complex.corners(f.face)), outcome.label(f.face), cause ? cause->cause.text : ""});
     if (f.q >= min_quality) continue;
     ++s.below;
-    (cause != nullptr && is_unavoidable(*cause) ? unavoidable : avoidable).push_back(f);
+    const bool excused = cause != nullptr && is_unavoidable(*cause) && f.q >= kExcused;
+    (excused ? unavoidable : avoidable).push_back(f);
   }
   if (!avoidable.empty())
     verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),

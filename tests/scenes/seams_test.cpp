@@ -16,6 +16,7 @@ namespace meshgraft {
 namespace {
 
 constexpr double kSize = 0.1;
+constexpr double kOnePlace = 1e-6 * kSize;  // nodes nearer than this are in one place
 
 double uniform(double low, double high) {
   constexpr int kSteps = 1 << 20;
@@ -42,6 +43,12 @@ std::size_t n_shared(const Model& m) {
 
 bool says_seam(const Report& report) {
   return std::ranges::any_of(report.warnings, [](const Warning& w) { return w.name == "seam-joined"; });
+}
+
+/// Whether all that is wrong are poor faces between nodes that the input has too near to each other.
+bool names_near_nodes(const Report& report) {
+  return report.broken_promises.size() == 1 &&
+         report.broken_promises[0].what.find("fixed nodes only") != std::string::npos;
 }
 
 struct Scene {
@@ -76,7 +83,11 @@ void joins_over_seams(bool seam_in_wall) {
     const auto merged = merge(s.wall, std::span(&s.part, 1));
     if (!merged) RC_FAIL(to_string(merged.error()));
     for (const Error& e : merged->report.broken_promises) RC_LOG() << to_string(e) << '\n';
-    RC_ASSERT(merged->report.broken_promises.empty());
+    // The sides of a seam of some width may meet different faces of the part, and keep a node each: told, and not
+    // written.
+    const bool too_wide = s.width > kOnePlace && names_near_nodes(merged->report);
+    RC_ASSERT(too_wide || merged->report.broken_promises.empty());
+    if (too_wide) return;
     RC_ASSERT(says_seam(merged->report));
     const Model result = apply(s.wall, std::span(&s.part, 1), *merged);
     const std::size_t shared = n_shared(result);
