@@ -1,51 +1,18 @@
 #include "merge/coverage.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
-#include "geometry/box_tree.hpp"
-#include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
+#include "merge/measured_surface.hpp"
 
 namespace meshgraft {
 namespace {
 
 /// What a face is, apart from its place.
 using Key = std::tuple<std::vector<std::uint32_t>, GroupSetId, AttributesId>;
-
-/// Faces of one complex that are alike.
-class Patch {
- public:
-  void add(const Triangle& t) {
-    Box box;
-    for (const Vec3 p : t) box.add(p);
-    faces_.push_back(t), boxes_.push_back(box);
-  }
-  void build() { tree_ = BoxTree(boxes_); }
-
-  [[nodiscard]] bool is_within(Vec3 p, double distance) const {
-    Box box;
-    box.add(p);
-    bool found = false;
-    tree_.overlapping(box.grown(distance),
-                      [&](std::uint32_t f) { found = found || squared_distance(p, f) <= distance * distance; });
-    return found;
-  }
-  [[nodiscard]] double distance(Vec3 p) const {
-    return std::sqrt(tree_.nearest(p, [&](std::uint32_t f) { return squared_distance(p, f); }).squared_distance);
-  }
-
- private:
-  [[nodiscard]] double squared_distance(Vec3 p, std::uint32_t f) const {
-    return squared_norm(p - closest_on_triangle(p, faces_[f]).point);
-  }
-  std::vector<Triangle> faces_;
-  std::vector<Box> boxes_;
-  BoxTree tree_;
-};
 
 class Coverage {
  public:
@@ -69,7 +36,7 @@ class Coverage {
   }
 
  private:
-  using Patches = std::map<Key, Patch>;
+  using Patches = std::map<Key, MeasuredSurface>;  // faces of one complex that are alike
 
   [[nodiscard]] bool is_removed(ElementRef parent) const {
     return std::ranges::binary_search(outcome_.graft.removed_elements[parent.input], parent.element);
@@ -100,10 +67,11 @@ class Coverage {
 
   template <class F>
   [[nodiscard]] static Patches patches(const Complex& complex, const std::vector<FaceId>& faces, F&& keys) {
-    Patches all;
+    std::map<Key, std::vector<Triangle>> alike;
     for (const FaceId f : faces)
-      for (const Key& key : keys(f)) all[key].add(complex.corners(f));
-    for (auto& [k, patch] : all) patch.build();
+      for (const Key& key : keys(f)) alike[key].push_back(complex.corners(f));
+    Patches all;
+    for (auto& [key, triangles] : alike) all.emplace(key, std::move(triangles));
     return all;
   }
 

@@ -1,52 +1,16 @@
 #include "merge/fidelity.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "core/blocks.hpp"
-#include "geometry/box_tree.hpp"
-#include "geometry/closest.hpp"
 #include "merge/edges.hpp"
+#include "merge/measured_surface.hpp"
 
 namespace meshgraft {
 namespace {
 
 constexpr std::size_t kSampleBlock = 1024;  // samples measured in one go
-
-/// The faces of one component that were removed, as they were and as their moved nodes have stretched them.
-class Reference {
- public:
-  explicit Reference(std::vector<Triangle> removed) : faces_(std::move(removed)) {
-    std::vector<Box> boxes(faces_.size());
-    for (std::size_t f = 0; f < boxes.size(); ++f)
-      for (const Vec3& p : faces_[f]) boxes[f].add(p);
-    tree_ = BoxTree(boxes);
-  }
-
-  [[nodiscard]] bool is_within(Vec3 p, double distance) const {
-    Box box;
-    box.add(p);
-    bool found = false;
-    tree_.overlapping(box.grown(distance),
-                      [&](std::uint32_t f) { found = found || squared_distance(p, f) <= distance * distance; });
-    return found;
-  }
-
-  [[nodiscard]] double distance(Vec3 p) const {
-    const auto nearest = tree_.nearest(p, [&](std::uint32_t f) { return squared_distance(p, f); });
-    return std::sqrt(nearest.squared_distance);
-  }
-
-  [[nodiscard]] bool empty() const { return tree_.empty(); }
-
- private:
-  double squared_distance(Vec3 p, std::uint32_t f) const {
-    return squared_norm(p - closest_on_triangle(p, faces_[f]).point);
-  }
-  std::vector<Triangle> faces_;
-  BoxTree tree_;
-};
 
 class Measure {
  public:
@@ -158,7 +122,7 @@ class Measure {
   /// Most samples are no farther than the worst one so far, which is told sooner than their distance.
   void look(const Sample& sample, Worst& worst) const {
     const auto& [p, f] = sample;
-    const Reference& reference = references_[outcome_.final_complex.component[f.value]];
+    const MeasuredSurface& reference = references_[outcome_.final_complex.component[f.value]];
     if (reference.empty()) return;
     const double length = outcome_.input_edge_length(f);
     const double known = std::min(worst.figures.max_distance, worst.figures.max_distance_relative * length);
@@ -172,7 +136,8 @@ class Measure {
   const Outcome& outcome_;
   const Tolerance& tolerance_;
   const FidelityLimits& limits_;
-  std::vector<Reference> references_;  // by component
+  /// By component: its faces that were removed, as they were and as their moved nodes have stretched them.
+  std::vector<MeasuredSurface> references_;
 };
 
 }  // namespace
