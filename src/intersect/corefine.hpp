@@ -77,6 +77,14 @@ struct Corefined {
   };
   std::vector<OpenGap> left_open;  // in the order of the components
 
+  /// A place where a free edge is in reach of another component with one end only: it is joined up to that.
+  struct HalfReached {
+    ElementRef face;      // that has the edge
+    Vec3 at;              // its other end
+    double distance = 0;  // of that
+  };
+  std::vector<HalfReached> half_reached;  // in the order of the components
+
   /// A place where an open seam of one component (free edges within the tolerance of each other) is met by another:
   /// its borders share the vertex there now.
   struct JoinedSeam {

@@ -2,6 +2,7 @@
 // asked of coordinates again.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "geometry/closest.hpp"
@@ -214,9 +215,36 @@ struct EdgePair {
   bool is_gap = false;  // farther apart than the weld length
 };
 
+/// A free edge of side 1 with both ends on side 0: it has been extended there, and what curves up between the ends is
+/// met in the surface that the edge is extended along, that of its one face.
+bool is_chord(const Meeting& m, LocalEdge f) {
+  return m.side[1].is_free(f) && m.ending.edge[1][f] != 0 &&
+         std::ranges::all_of(m.side[1].ends(f), [&](VertexId v) { return m.has_symbol(1, v); });
+}
+
+/// Where edge e of side 0 meets the plane of the face at the chord f, if that is within the gap of f. `undecided`: it
+/// ends in the plane.
+std::optional<EdgePair> chord_crossing(const Meeting& m, LocalEdge e, LocalEdge f, const Snap& snap, bool& undecided) {
+  const auto& [a, b] = m.side[0].ends(e);
+  const auto& [c, d] = m.side[1].ends(f);
+  const Triangle face = m.triangle(1, m.side[1].faces_at_edge(f).front());
+  const Vec3 n = unit_normal(face);
+  const double at_a = dot(n, m.at(a) - face[0]), at_b = dot(n, m.at(b) - face[0]);
+  undecided = std::min(std::abs(at_a), std::abs(at_b)) <= snap.weld;
+  if (undecided || (at_a > 0) == (at_b > 0)) return std::nullopt;
+  const double t = at_a / (at_a - at_b);
+  const Vec3 at = lerp(m.at(a), m.at(b), t);
+  const SegmentPoint on_f = closest_on_segment(at, m.at(c), m.at(d));
+  const double apart = distance(at, on_f.point);
+  if (on_f.t <= 0 || on_f.t >= 1 || apart > snap.feature || share_symbol(m, e, f)) return std::nullopt;
+  return EdgePair{{e, f}, {t, on_f.t}, at, apart, apart > snap.weld};
+}
+
 /// The nearest first.
 std::vector<EdgePair> passing_edges(const Meeting& m) {
   std::vector<EdgePair> found;
+  std::vector<std::uint8_t> chord;  // by edge of side 1
+  for (LocalEdge f = 0; f < m.side[1].n_edges(); ++f) chord.push_back(is_chord(m, f) ? 1 : 0);
   for (const FacePair& p : m.pairs) {
     const Snap snap = m.snap(p);
     for (const LocalEdge e : m.side[0].edges(p[0]))
@@ -226,6 +254,10 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const bool both = m.side[0].is_feature_edge(e) && m.side[1].is_feature_edge(f);
         const double gap = snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0);
         if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
+        if (bool undecided = false; chord[f] != 0) {
+          if (const auto crossing = chord_crossing(m, e, f, snap, undecided)) found.push_back(*crossing);
+          if (!undecided) continue;
+        }
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
         const double apart = distance(near.first.point, near.second.point);

@@ -4,36 +4,84 @@
 #include "intersect/meeting.hpp"
 
 namespace meshgraft {
+namespace {
+
+/// Features of one side that end on the other or run along it.
+class EndingSearch {
+ public:
+  EndingSearch(const Meeting& meeting, std::size_t s, double Snap::*within)
+      : m_(meeting),
+        s_(s),
+        side_(meeting.side[s]),
+        other_(meeting.side[1 - s]),
+        within_(within),
+        near_(meeting.complex.n_vertices()) {}
+
+  void run(std::vector<std::uint8_t>& vertex, std::vector<std::uint8_t>& edge) {
+    vertex.assign(m_.complex.n_vertices(), 0), edge.assign(side_.n_edges(), 0);
+    for (const FacePair& p : m_.pairs) find_near(p);
+    for (const FacePair& p : m_.pairs) {
+      const Plane plane(m_, s_, p, within_);
+      for (const LocalEdge e : side_.edges(p[s_]))
+        if (edge[e] == 0 && side_.is_feature_edge(e)) edge[e] = is_along(e, plane, p[1 - s_]) ? 1 : 0;
+    }
+    for (LocalFace f = 0; f < side_.n_faces(); ++f)
+      for (const VertexId v : side_.corners(f))
+        if (side_.is_corner(v)) vertex[v.value] = 1;
+    for (const VertexId v : m_.half_reached) vertex[v.value] = 0;
+    for (LocalEdge e = 0; e < side_.n_edges(); ++e) {
+      const auto& [a, b] = side_.ends(e);
+      if (side_.is_feature_edge(e) && near_[a.value] != 0 && near_[b.value] != 0) edge[e] = 1;
+      if (edge[e] != 0) vertex[a.value] = vertex[b.value] = 1;
+    }
+  }
+
+ private:
+  /// Of a face of the other side.
+  struct Plane {
+    Plane(const Meeting& m, std::size_t s, const FacePair& p, double Snap::*within)
+        : face(m.triangle(1 - s, p[1 - s])), normal(unit_normal(face)), gap(m.snap(p).*within) {}
+    [[nodiscard]] bool holds(Vec3 p) const { return std::abs(dot(normal, p - face[0])) <= gap; }
+    Triangle face;
+    Vec3 normal;
+    double gap;
+  };
+
+  void find_near(const FacePair& p) {
+    const Plane plane(m_, s_, p, within_);
+    for (const VertexId v : side_.corners(p[s_]))
+      if (side_.is_feature(v) && plane.holds(m_.at(v)) &&
+          distance(m_.at(v), closest_on_triangle(m_.at(v), plane.face).point) <= plane.gap)
+        near_[v.value] = 1;
+  }
+
+  [[nodiscard]] bool is_along(LocalEdge e, const Plane& plane, LocalFace g) const {
+    return std::ranges::all_of(side_.ends(e),
+                               [&](VertexId v) { return plane.holds(m_.at(v)) && is_near_or_past(v, plane.face, g); });
+  }
+
+  /// Whether the vertex is near the other side, or past a feature in which the face g of that ends. One that is too
+  /// far away, over the middle of it, is in the plane of g only because that side is curved.
+  [[nodiscard]] bool is_near_or_past(VertexId v, const Triangle& face, LocalFace g) const {
+    if (near_[v.value] != 0) return true;
+    const TrianglePoint c = closest_on_triangle(m_.at(v), face);
+    for (std::size_t k = 0; k < 3; ++k)  // edge k is opposite to corner k + 2
+      if (c.weight[(k + 2) % 3] <= 0 && other_.is_feature_edge(other_.edges(g)[k])) return true;
+    return false;
+  }
+
+  const Meeting& m_;
+  std::size_t s_;
+  const Side &side_, &other_;
+  double Snap::*within_;
+  std::vector<std::uint8_t> near_;  // by vertex
+};
+
+}  // namespace
 
 EndingFeatures ending_features(const Meeting& m, double Snap::*within) {
   EndingFeatures ending;
-  for (const std::size_t s : kSides) {
-    const Side& side = m.side[s];
-    std::vector<std::uint8_t> near(m.complex.n_vertices());
-    std::vector<std::uint8_t>&vertex = ending.vertex[s], &edge = ending.edge[s];
-    vertex.assign(m.complex.n_vertices(), 0), edge.assign(side.n_edges(), 0);
-    for (const FacePair& p : m.pairs) {
-      const Triangle t = m.triangle(1 - s, p[1 - s]);
-      const Vec3 n = unit_normal(t);
-      const double gap = m.snap(p).*within;
-      const auto is_in_plane = [&](VertexId v) { return std::abs(dot(n, m.at(v) - t[0])) <= gap; };
-      for (const LocalEdge e : side.edges(p[s])) {
-        const auto& [a, b] = side.ends(e);
-        if (side.is_feature_edge(e) && is_in_plane(a) && is_in_plane(b)) edge[e] = 1;
-      }
-      for (const VertexId v : side.corners(p[s]))
-        if (side.is_feature(v) && is_in_plane(v) && distance(m.at(v), closest_on_triangle(m.at(v), t).point) <= gap)
-          near[v.value] = 1;
-    }
-    for (LocalEdge e = 0; e < side.n_edges(); ++e) {
-      const auto& [a, b] = side.ends(e);
-      if (side.is_feature_edge(e) && near[a.value] != 0 && near[b.value] != 0) edge[e] = 1;
-      if (edge[e] != 0) vertex[a.value] = vertex[b.value] = 1;
-    }
-    for (LocalFace f = 0; f < side.n_faces(); ++f)
-      for (const VertexId v : side.corners(f))
-        if (side.is_corner(v)) vertex[v.value] = 1;
-  }
+  for (const std::size_t s : kSides) EndingSearch(m, s, within).run(ending.vertex[s], ending.edge[s]);
   return ending;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "core/distinct.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 
@@ -16,6 +17,8 @@ constexpr double kOneEnd = 0.85;      // cosine to their mean, from which direct
 constexpr double kLeastSine = 0.1;    // of the angle between a way and the surface it ends on
 constexpr double kInPlane = 0.5;      // sine of the angle by which a way may leave the tangent plane
 constexpr double kLeastHeight = 0.2;  // of a face, over what it was
+constexpr double kAcross = 0.95;      // cosine to the normal from which the way to a surface is no way past its border
+constexpr double kStraight = 1e-3;    // sine of a turn in a line that nobody sees
 
 /// The surface that free edges end on.
 class Surface {
@@ -131,20 +134,25 @@ class Extender {
         if (owns[f] == 0 || complex.state[v.value] == VertexState::kFrozen) held_[v.value] = 1;
   }
 
-  std::vector<Extension> run() {
+  Extensions run() {
     for (const auto& [v, ends] : ends_) find_gap(v, ends);
+    find_gaps_past_border();
     for (const auto& [v, gap] : gaps_)
       if (const auto to = target(v, gap); to && distance(*to, at(v)) > gap.weld) target_.emplace(v, *to);
+    extend_past_border();
     while (take_back_bad_ones()) {
     }
-    std::vector<Extension> all;
-    for (const auto& [v, to] : target_) all.push_back({v, to});
+    Extensions all;
+    for (const auto& [v, to] : target_) all.moved.push_back({v, to});
+    all.bends = bends();
+    find_half_reached(all);
     return all;
   }
 
  private:
   struct Gap {
     Vec3 across;  // to the nearest point of the surface
+    Vec3 normal;  // of the face there
     double tolerance = 0, weld = 0;
     bool is_open = false;  // it is wider than rounding; a corner may end on one wall and be short of the next
   };
@@ -164,18 +172,37 @@ class Extender {
     const Vec3 across = foot.point - at(v);
     const double weld = rule_.snap.at(size).weld;
     if (norm(across) <= rule_.tolerance.at(size))
-      gaps_[v] = {across, rule_.tolerance.at(size), weld, norm(across) > weld};
+      gaps_[v] = {across, unit_normal(complex_.corners(foot.face)), rule_.tolerance.at(size), weld,
+                  norm(across) > weld};
+  }
+
+  /// Ends past the border of the surface, in its plane, of edges along it whose other ends are in reach.
+  void find_gaps_past_border() {
+    std::map<VertexId, Gap> past;
+    for (const auto& [v, gap] : gaps_)
+      for (const End& e : ends_.at(v)) {
+        if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
+        const Surface::Foot foot = surface_.nearest(at(e.other), gap.tolerance + distance(at(e.other), at(v)));
+        if (!foot.face.valid() || is_exact(foot.face)) continue;
+        const Vec3 n = unit_normal(complex_.corners(foot.face)), way = foot.point - at(e.other);
+        const double height = dot(n, way);
+        if (std::abs(height) > gap.tolerance || std::abs(height) >= kAcross * norm(way)) continue;
+        past.insert({e.other, {height * n, n, gap.tolerance, gap.weld, std::abs(height) > gap.weld}});
+      }
+    gaps_.insert(past.begin(), past.end());
+  }
+
+  /// Whether an edge at v runs along the surface across the gap there.
+  [[nodiscard]] bool runs_along(const End& edge, VertexId v, const Gap& gap) const {
+    const Vec3 along = normalized(at(edge.other) - at(v));
+    return std::abs(dot(along, gap.across)) <= kAlong * norm(gap.across);
   }
 
   /// Whether a free edge ends on the surface: it is near that as a whole and runs along it.
   [[nodiscard]] bool is_ending(VertexId v, const Gap& gap, const End& edge) const {
     const auto far = gaps_.find(edge.other);
     if (far == gaps_.end()) return false;
-    const Vec3 along = normalized(at(edge.other) - at(v));
-    const auto runs_along = [&](const Gap& g) {
-      return g.is_open && std::abs(dot(along, g.across)) <= kAlong * norm(g.across);
-    };
-    return runs_along(gap) || runs_along(far->second);
+    return (gap.is_open && runs_along(edge, v, gap)) || (far->second.is_open && runs_along(edge, v, far->second));
   }
 
   [[nodiscard]] std::optional<Vec3> target(VertexId v, const Gap& gap) const {
@@ -190,14 +217,40 @@ class Extender {
     mean = normalized(mean);
     const bool one_end = std::ranges::all_of(ending, [&](const End* e) { return dot(e->across, mean) >= kOneEnd; });
     if (!one_end) return ending.size() == 2 ? corner_target(v, gap, *ending[0], *ending[1]) : std::nullopt;
-    // Along another free edge that stays: it remains straight.
-    Vec3 way = mean;
-    for (const End& e : ends)
-      if (const Vec3 u = normalized(at(v) - at(e.other)); !is_ending(v, gap, e) && dot(u, mean) >= kAlong) way = u;
-    if (const auto hit = hit_along(v, gap, way)) return hit->point;
+    if (const auto hit = hit_along(v, gap, way_of(v, gap, mean))) return hit->point;
     if (!gap.is_open) return std::nullopt;
     if (const auto hit = hit_along(v, gap, mean)) return hit->point;
     return nearest_in_plane(v, gap, ending, mean);
+  }
+
+  /// An edge that ends on the surface and passes its border goes on straight: its end there goes to the plane of the
+  /// last face.
+  void extend_past_border() {
+    std::map<VertexId, Vec3> past;
+    for (const auto& [v, gap] : gaps_) {
+      if (!gap.is_open || target_.contains(v) || held_[v.value] != 0) continue;
+      const std::vector<End>& ends = ends_.at(v);
+      const auto over =
+          std::ranges::find_if(ends, [&](const End& e) { return target_.contains(e.other) && is_ending(v, gap, e); });
+      const auto of_one_end = [&](const End& e) {
+        return !is_ending(v, gap, e) || dot(e.across, over->across) >= kOneEnd;
+      };
+      if (over == ends.end() || !std::ranges::all_of(ends, of_one_end)) continue;
+      const Vec3 u = way_of(v, gap, over->across);
+      const double sine = dot(gap.normal, u);
+      if (std::abs(sine) < kLeastSine) continue;
+      const double way = dot(gap.normal, gap.across) / sine;
+      if (std::abs(way) <= rule_.longest_way * gap.tolerance) past.emplace(v, at(v) + way * u);
+    }
+    target_.merge(past);
+  }
+
+  /// Across the ending edges, or along another free edge that stays: that remains straight.
+  [[nodiscard]] Vec3 way_of(VertexId v, const Gap& gap, Vec3 across) const {
+    Vec3 way = across;
+    for (const End& e : ends_.at(v))
+      if (const Vec3 u = normalized(at(v) - at(e.other)); !is_ending(v, gap, e) && dot(u, across) >= kAlong) way = u;
+    return way;
   }
 
   [[nodiscard]] std::optional<Surface::Hit> hit_along(VertexId v, const Gap& gap, Vec3 u) const {
@@ -229,6 +282,34 @@ class Extender {
     if (std::abs(dot(gap.across, mean)) < kInPlane * width || std::ranges::any_of(ending, leaves_plane))
       return std::nullopt;
     return at(v) + gap.across;
+  }
+
+  [[nodiscard]] std::vector<VertexId> bends() const {
+    std::vector<VertexId> all;
+    for (const auto& [v, to] : target_)
+      for (const End& e : ends_.at(v)) {
+        if (target_.contains(e.other)) continue;
+        const Vec3 before = normalized(at(v) - at(e.other)), after = normalized(to - at(e.other));
+        if (norm(cross(before, after)) > kStraight) all.push_back(e.other);
+      }
+    make_distinct(all);
+    return all;
+  }
+
+  /// Ends out of reach, over the surface, of edges along it whose other ends are in reach.
+  void find_half_reached(Extensions& all) const {
+    std::map<VertexId, Corefined::HalfReached> found;
+    for (const auto& [v, gap] : gaps_)
+      for (const End& e : ends_.at(v)) {
+        if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
+        const Surface::Foot foot = surface_.nearest(at(e.other), norm(gap.across) + distance(at(e.other), at(v)));
+        if (!foot.face.valid()) continue;
+        const Vec3 way = foot.point - at(e.other);
+        if (std::abs(dot(unit_normal(complex_.corners(foot.face)), way)) >= kAcross * norm(way))
+          found.insert({e.other, {complex_.parent[e.face.value], at(e.other), norm(way)}}), all.last.push_back(v);
+      }
+    make_distinct(all.last);
+    for (const auto& [v, place] : found) all.half_reached.push_back(place);
   }
 
   bool take_back_bad_ones() {
@@ -263,9 +344,9 @@ class Extender {
 
 }  // namespace
 
-std::vector<Extension> extensions(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
-                                  std::span<const std::uint8_t> owns, std::span<const double> size,
-                                  std::span<const std::uint8_t> exact, const ExtendRule& rule) {
+Extensions extensions(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
+                      std::span<const std::uint8_t> owns, std::span<const double> size,
+                      std::span<const std::uint8_t> exact, const ExtendRule& rule) {
   return Extender(complex, own, other, owns, size, exact, rule).run();
 }
 

@@ -15,6 +15,14 @@ struct Extension {
   Vec3 to;
 };
 
+/// What extends free edges to another mesh, in order of the vertices.
+struct Extensions {
+  std::vector<Extension> moved;
+  std::vector<VertexId> bends;  // stay, and the free edge that is extended beside them turns in them now
+  std::vector<VertexId> last;   // in reach, of edges that go on out of reach
+  std::vector<Corefined::HalfReached> half_reached;  // the other ends of these edges, each once
+};
+
 /// Lengths and angles of extension.
 struct ExtendRule {
   const Tolerance& tolerance;  // by the smaller of the mean edge lengths of the faces across the gap
@@ -24,11 +32,11 @@ struct ExtendRule {
   double longest_way = 2;
 };
 
-/// Extensions of the free edges of `own`, faces of one component, to the surface of `other`, in order of the
-/// vertices.
+/// Extensions of the free edges of `own`, faces of one component, to the surface of `other`.
 ///
 ///  (1) An edge is extended if both its ends are within the tolerance of the other surface and it runs
-///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not.
+///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not. The edge beside it, with
+///      one end in reach, leaves the surface from there, or is extended straight on where the surface ends beneath it.
 ///  (2) A vertex goes along the tangent plane of its faces, across its free edge; at a corner along the other
 ///      free edge, so that this stays straight; where both edges end, to where their ways meet.
 ///  (3) Where that way meets nothing, as between plates side by side, it goes to the nearest point of the
@@ -38,9 +46,8 @@ struct ExtendRule {
 /// `owns`: by face, whether it goes with `own`: what hangs together with it counts in telling free edges. `exact`: by
 /// face, whether gaps at it are left open; may be empty. Vertices that are frozen, or of faces that `owns` leaves out,
 /// stay.
-[[nodiscard]] std::vector<Extension> extensions(const Complex& complex, std::span<const FaceId> own,
-                                                std::span<const FaceId> other, std::span<const std::uint8_t> owns,
-                                                std::span<const double> size, std::span<const std::uint8_t> exact,
-                                                const ExtendRule& rule);
+[[nodiscard]] Extensions extensions(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
+                                    std::span<const std::uint8_t> owns, std::span<const double> size,
+                                    std::span<const std::uint8_t> exact, const ExtendRule& rule);
 
 }  // namespace meshgraft

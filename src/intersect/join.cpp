@@ -44,8 +44,11 @@ class Joiner {
       if (!failed->face.valid() || attempt == kMaxAttempts || !make_exact(before.complex, failed->face, exact))
         return std::move(failed->fault);
       joining_ = before;
-      moved_from_.clear();
+      moved_from_.clear(), bends_.clear(), half_reached_.clear();
     }
+    for (const auto& [y, x] : joining_.replaced) std::erase(bends_, y);
+    for (const VertexId v : bends_)
+      if (VertexState& state = complex_.state[v.value]; state == VertexState::kOpen) state = VertexState::kPinned;
     joining_.moved.assign(moved_from_.begin(), moved_from_.end());
     return std::nullopt;
   }
@@ -153,13 +156,15 @@ class Joiner {
       owns[f] = c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component));
     }
     const SnapRule snap(largest_, options_, true);
-    const std::vector<Extension> all =
-        extensions(complex_, own, other, owns, marks_.size, exact, {options_.tolerance, snap});
-    for (const auto& [v, to] : all) {
+    const Extensions all = extensions(complex_, own, other, owns, marks_.size, exact, {options_.tolerance, snap});
+    for (const auto& [v, to] : all.moved) {
       moved_from_.emplace(v, complex_.position[v.value]);
       complex_.position[v.value] = to;
     }
-    return !all.empty();
+    bends_.insert(bends_.end(), all.bends.begin(), all.bends.end());
+    half_reached_.insert(half_reached_.end(), all.last.begin(), all.last.end());
+    joining_.half_reached.insert(joining_.half_reached.end(), all.half_reached.begin(), all.half_reached.end());
+    return !all.moved.empty();
   }
 
   /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it
@@ -172,6 +177,7 @@ class Joiner {
     if (settled_) return std::nullopt;
     const std::array<std::vector<std::uint8_t>, 2> own = owners(component_);
     Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
+    m.half_reached = half_reached_;
     declare_vertices(m);
     declare_edges(m);
     find_crossings(m);
@@ -300,6 +306,7 @@ class Joiner {
   GroupSets& groups_;
   const CorefineOptions& options_;
   std::map<VertexId, Vec3> moved_from_;
+  std::vector<VertexId> bends_, half_reached_;  // see Extensions
   bool settled_ = false;
 };
 

@@ -16,6 +16,7 @@ struct Joining {
   std::vector<std::pair<VertexId, Vec3>> moved;   // vertex, where it was; ascending
   std::vector<std::array<VertexId, 2>> replaced;  // vertex of the component, the one it became
   std::vector<Corefined::OpenGap> left_open;
+  std::vector<Corefined::HalfReached> half_reached;
   std::vector<Corefined::JoinedSeam> joined_seams;
   std::vector<Corefined::Covered> covered;
 };

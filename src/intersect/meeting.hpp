@@ -95,6 +95,9 @@ struct Meeting {
   std::vector<Corefined::JoinedSeam> seams;          // see Seams
   bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
+  /// Vertices with a free edge along the other side that is beyond the tolerance at its other end: only another edge
+  /// makes them end there.
+  std::span<const VertexId> half_reached{};
   EndingFeatures ending{};  // within the snap length; set by declare_vertices()
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }

@@ -54,6 +54,7 @@ void tell(std::span<const Unfilled> unfilled, Report& report) {
 void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation& translated,
            const MergeOptions& options, Report& report) {
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
+  append(report.warnings, half_reached_warnings(outcome.inputs, outcome.corefined.half_reached));
   append(report.warnings, joined_seam_warnings(outcome.inputs, outcome.corefined.joined_seams));
   ResultVerdict result;
   QualityVerdict quality;

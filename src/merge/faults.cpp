@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
@@ -80,6 +82,22 @@ std::string hint_of(Inputs inputs, const Corefined::OpenGap& gap) {
 
 }  // namespace
 
+namespace {
+
+/// The place of an input that is least out of reach, and how many there are.
+std::pair<Corefined::HalfReached, std::size_t> nearest_half_reached(std::span<const Corefined::HalfReached> places,
+                                                                    std::uint32_t input) {
+  std::pair<Corefined::HalfReached, std::size_t> found{{{}, {}, std::numeric_limits<double>::infinity()}, 0};
+  for (const Corefined::HalfReached& place : places) {
+    if (place.face.input != input) continue;
+    if (place.distance < found.first.distance) found.first = place;
+    ++found.second;
+  }
+  return found;
+}
+
+}  // namespace
+
 std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps) {
   std::vector<Error> errors;
   for (const Corefined::OpenGap& gap : gaps) {
@@ -91,6 +109,20 @@ std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::Ope
     errors.back().hint = hint_of(inputs, gap);
   }
   return errors;
+}
+
+std::vector<Warning> half_reached_warnings(Inputs inputs, std::span<const Corefined::HalfReached> places) {
+  std::vector<Warning> warnings;
+  for (std::uint32_t k = 0; k < inputs.size(); ++k) {
+    const auto [nearest, n] = nearest_half_reached(places, k);
+    if (n == 0) continue;
+    std::string text = "the free edge at " + text_of(inputs, nearest.face) +
+                       " is within the tolerance of another mesh in part, and joined as far as that: at " +
+                       text_of(nearest.at) + " it is " + text_of(nearest.distance) + " away";
+    if (n > 1) text += "; so are others at " + std::to_string(n - 1) + (n > 2 ? " more places" : " more place");
+    warnings.push_back({"partly-in-reach", std::move(text), place_of(*inputs[k], nearest.face.element)});
+  }
+  return warnings;
 }
 
 std::vector<Warning> joined_seam_warnings(Inputs inputs, std::span<const Corefined::JoinedSeam> seams) {
@@ -156,7 +188,7 @@ std::optional<Error> nothing_joined(Inputs inputs, const Components& components,
                {path, 0}};
 }
 
-Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart, std::span<const Corefined::OpenGap> gaps) {
+Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart, const Corefined& corefined) {
   std::vector<std::string> missing, meeting;
   for (std::uint32_t k = 1; k < inputs.size(); ++k) {
     if (!std::ranges::binary_search(apart, k)) {
@@ -170,7 +202,15 @@ Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart, std::span
               "check position and units, give a larger --tolerance, or --allow-apart to add what is apart unjoined",
               {inputs[apart.front()]->path, 0}};
   if (!meeting.empty()) error.what += "; " + joined(meeting) + (meeting.size() == 1 ? " does" : " do");
-  for (const Corefined::OpenGap& gap : gaps)
+  for (const std::uint32_t k : apart)
+    if (const auto [nearest, n] = nearest_half_reached(corefined.half_reached, k); n > 0) {
+      error.hint =
+          "no free edge is within the tolerance with both its ends, and the other end of one that is with one "
+          "end, at " +
+          text_of(nearest.at) + ", is " + text_of(nearest.distance) + " away; " + error.hint;
+      return error;
+    }
+  for (const Corefined::OpenGap& gap : corefined.left_open)
     if (std::ranges::any_of(gap.faces, [&](ElementRef f) { return std::ranges::binary_search(apart, f.input); })) {
       error.hint = "the gap is within the tolerance, but " + hint_of(inputs, gap);
       break;

@@ -20,6 +20,10 @@ namespace meshgraft {
 /// Places within the tolerance at which the parts were not joined, as broken promises with labels.
 [[nodiscard]] std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps);
 
+/// One warning for each input with free edges that are in reach of another mesh in part, with the nearest place that is
+/// not.
+[[nodiscard]] std::vector<Warning> half_reached_warnings(Inputs inputs, std::span<const Corefined::HalfReached> places);
+
 /// One warning for each input with open seams that the junction joins, with the first place.
 [[nodiscard]] std::vector<Warning> joined_seam_warnings(Inputs inputs, std::span<const Corefined::JoinedSeam> seams);
 
@@ -36,9 +40,8 @@ namespace meshgraft {
                                                   std::span<const std::array<std::uint32_t, 2>> met,
                                                   const std::vector<JoinedGroups>& joins);
 
-/// kPartsApart naming the parts apart, those that are not, and how far away they are. `gaps` that were left
-/// open tell why a part within the tolerance is apart all the same.
-[[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart,
-                                std::span<const Corefined::OpenGap> gaps = {});
+/// kPartsApart naming the parts apart, those that are not, and how far away they are. What was left open tells why a
+/// part within the tolerance is apart all the same.
+[[nodiscard]] Error apart_error(Inputs inputs, std::span<const std::uint32_t> apart, const Corefined& corefined = {});
 
 }  // namespace meshgraft

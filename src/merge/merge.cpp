@@ -32,7 +32,7 @@ Result<void> check_parts_meet(Inputs inputs, const Components& components, const
                               const MergeOptions& options, Report& report) {
   std::optional<Error> error = nothing_joined(inputs, components, corefined.met, options.joins);
   const std::vector<std::uint32_t> apart = parts_apart(components, corefined.met);
-  if (!error && !apart.empty()) error = apart_error(inputs, apart, corefined.left_open);
+  if (!error && !apart.empty()) error = apart_error(inputs, apart, corefined);
   return error ? refuse_unless_allowed(*error, options, report) : Result<void>();
 }
 

@@ -45,6 +45,9 @@ void add_walls(std::vector<Merge>& all) {
   all.push_back(gap_merge("sticking_out_at_60", wall(), stiffener(-0.3 * kSize, 60), kFoot));
   // More than an edge length away.
   all.push_back(gap_merge("short_by_two_edges", wall(), stiffener(2 * kSize), kFoot, 2.2 * kSize));
+  for (const int degrees : {90, 50})  // its foot goes on beyond the wall
+    all.push_back(gap_merge("short_past_free_edge_at_" + std::to_string(degrees), wall(),
+                            stiffener(0.4 * kSize, degrees, 0.93, 2 + 1.7 * kSize), 2 - 0.93));
   // In reach of the tolerance over the first 8 of the 13 edges of its foot only.
   all.push_back(gap_merge("partly_in_reach", wall(),
                           moved(stiffener(0),
@@ -52,7 +55,6 @@ void add_walls(std::vector<Merge>& all) {
                                   return p + Vec3{0, 0, 0.8 * kSize * (p.x - 0.33) / kFoot};
                                 }),
                           kFoot * 8 / 13));
-  all.back().max_off = 0.05;  // the foot is drawn to the wall a little way beyond its last node there
 }
 
 void add_corners(std::vector<Merge>& all) {
