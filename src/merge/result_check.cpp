@@ -8,6 +8,7 @@
 #include <span>
 
 #include "check/face_pairs.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "merge/free_edges.hpp"
 #include "zone/open_seams.hpp"
@@ -15,6 +16,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kMetReach = 0.1;  // of the edge length: as far as new faces may be from the old
 constexpr const char* kHint = "look at the place in both inputs, and try another --tolerance, --size or --bandwidth";
 
 /// Findings of one kind; beyond a number of them they are only counted.
@@ -76,18 +78,54 @@ class ResultCheck {
     return {std::min(a, b), std::max(a, b)};
   }
 
-  /// Pairs of faces that are not joined and met already before the merge, ascending.
-  std::vector<ParentPair> met_before() const {
-    const Complex& before = outcome_.original;
-    const std::vector<std::uint8_t> all(before.n_faces(), 1);
-    std::vector<ParentPair> met;
-    for (const auto& pair : intersecting_faces(before, all)) {
-      const std::uint32_t a = before.component[pair[0].value], b = before.component[pair[1].value];
-      if (!before.joins.are_joined(a, b)) met.push_back(parents_of(before, pair));
-    }
-    std::sort(met.begin(), met.end());
-    return met;
+  static std::array<std::uint32_t, 2> components_of(const Complex& complex, const std::array<FaceId, 2>& pair) {
+    const std::uint32_t a = complex.component[pair[0].value], b = complex.component[pair[1].value];
+    return {std::min(a, b), std::max(a, b)};
   }
+
+  /// Holds all points in which the faces meet.
+  static Box place_of_meeting(const Complex& complex, const std::array<FaceId, 2>& pair) {
+    std::array<Box, 2> box;
+    for (const std::size_t k : {0, 1})
+      for (const Vec3 p : complex.corners(pair[k])) box[k].add(p);
+    const auto& [a, b] = box;
+    return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
+            {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
+  }
+
+  /// Pairs of faces that are not joined and met already before the merge.
+  class MetBefore {
+   public:
+    MetBefore() = default;
+    explicit MetBefore(const Complex& before) {
+      std::vector<Box> places;
+      for (const auto& pair : intersecting_faces(before, std::vector<std::uint8_t>(before.n_faces(), 1))) {
+        const auto components = components_of(before, pair);
+        if (before.joins.are_joined(components[0], components[1])) continue;
+        parents_.push_back(parents_of(before, pair));
+        components_.push_back(components), places.push_back(place_of_meeting(before, pair));
+      }
+      std::ranges::sort(parents_);
+      tree_ = BoxTree(places);
+    }
+
+    /// A new face has one parent, and may be where others were that met the other mesh: of two components it counts
+    /// whether they met within `reach`.
+    [[nodiscard]] bool holds(const Complex& now, const std::array<FaceId, 2>& pair, double reach) const {
+      if (std::ranges::binary_search(parents_, parents_of(now, pair))) return true;
+      const auto components = components_of(now, pair);
+      if (components[0] == components[1]) return false;
+      bool found = false;
+      tree_.overlapping(place_of_meeting(now, pair).grown(reach),
+                        [&](std::uint32_t i) { found = found || components_[i] == components; });
+      return found;
+    }
+
+   private:
+    std::vector<ParentPair> parents_;                       // ascending
+    std::vector<std::array<std::uint32_t, 2>> components_;  // by pair, as in the tree
+    BoxTree tree_;
+  };
 
   /// One of the layers lies on the other, as was asked for: on the same nodes, of two components.
   bool are_layers(FaceId f, FaceId g) const {
@@ -134,11 +172,11 @@ class ResultCheck {
     leave_out_seams(pairs);
     if (pairs.empty()) return {};
     // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
-    const std::vector<ParentPair> excused = outcome_.fills ? std::vector<ParentPair>{} : met_before();
+    const MetBefore met_before = outcome_.fills ? MetBefore() : MetBefore(outcome_.original);
     Findings findings(limits_.max_listed);
     std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)
-      if (std::ranges::binary_search(excused, parents_of(complex_, pair)))
+      if (met_before.holds(complex_, pair, kMetReach * outcome_.input_edge_length(pair[0])))
         met.push_back(pair);
       else if (!are_layers(pair[0], pair[1]))
         findings.add(outcome_.text(pair[0]) + " and " + outcome_.text(pair[1]) + " intersect",

@@ -129,6 +129,18 @@ TEST(Join, OnlyFacesOfTheNamedGroupsAreJoined) {
   EXPECT_NE(rule("SECOND"), "untouched");
 }
 
+TEST(Join, WhatElseCrossesThereIsLeftAsItWas) {
+  const Model across = scenes::plate({0.9, 0.31, -0.1}, {0.05, 1.3, 0}, {0, 0, 0.5}, 0.09, "ACROSS", 0.15);
+  const Model assembly = scenes::together(std::array{wall(), along_x(0.97, -0.04, "ALONG"), across});
+  MergeOptions options;
+  options.joins = {{"WALL", "ALONG"}};
+  const auto m = merge(assembly, {}, options);
+  ASSERT_TRUE(m) << to_string(m.error());
+  for (const Error& e : m->report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_EQ(std::ranges::count(m->report.warnings, std::string("input-intersects"), &Warning::name), 1);
+  EXPECT_EQ(std::ranges::find(m->report.groups, "ACROSS", &GroupEntry::name)->rule, "untouched");
+}
+
 TEST(Join, AGroupOfAConnectedMeshStaysConnectedWithTheRest) {
   // The rib crosses the border between the halves of the wall; only one of them is joined to it.
   const Model halves =
