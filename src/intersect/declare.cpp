@@ -51,9 +51,10 @@ std::vector<VertexPair> near_vertices(const Meeting& m) {
       for (const VertexId x : m.side[0].corners(p[0])) {
         const bool fx = m.ending.vertex[0][x.value] != 0, fy = m.ending.vertex[1][y.value] != 0;
         const double d = distance(m.at(x), m.at(y));
-        if (d > snap.of(fx || fy)) continue;
-        if (d > snap.weld && !fx && !is_straight_across(m, 0, m.side[0].faces_at(x), m.at(x), m.at(y), d)) continue;
-        if (d > snap.weld && !fy && !is_straight_across(m, 1, m.side[1].faces_at(y), m.at(y), m.at(x), d)) continue;
+        const double near = std::max({snap.weld, m.seams_of.vertex[0][x.value], m.seams_of.vertex[1][y.value]});
+        if (d > std::max(near, snap.of(fx || fy))) continue;
+        if (d > near && !fx && !is_straight_across(m, 0, m.side[0].faces_at(x), m.at(x), m.at(y), d)) continue;
+        if (d > near && !fy && !is_straight_across(m, 1, m.side[1].faces_at(y), m.at(y), m.at(x), d)) continue;
         found.push_back({d, x, y});
       }
     }
@@ -123,19 +124,19 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
       if (!is_undecided(m, s, v)) continue;
       for (const LocalEdge e : other.edges(p[1 - s])) {
         const auto& [low, high] = other.ends(e);
-        const double gap = snap.of(m.ending.vertex[s][v.value] != 0 || m.ending.edge[1 - s][e] != 0);
+        const double near = std::max({snap.weld, m.seams_of.vertex[s][v.value], m.seams_of.edge[1 - s][e]});
+        const double gap = std::max(near, snap.of(m.ending.vertex[s][v.value] != 0 || m.ending.edge[1 - s][e] != 0));
         if (are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
         if (c.t <= 0 || c.t >= 1 || d > gap) continue;
-        const bool is_gap = d > snap.weld;
-        if (is_gap && !other.is_feature_edge(e) &&
+        if (d > near && !other.is_feature_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
-        if (is_gap && m.ending.vertex[s][v.value] == 0 &&
+        if (d > near && m.ending.vertex[s][v.value] == 0 &&
             !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d))
           continue;
-        found.push_back({v, d, e, c.t, c.point, is_gap});
+        found.push_back({v, d, e, c.t, c.point, d > snap.weld});
       }
     }
   }
@@ -148,7 +149,7 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
     const Snap snap = m.snap(p);
     for (const VertexId v : m.side[s].corners(p[s])) {
       if (!is_undecided(m, s, v)) continue;
-      const double gap = snap.of(m.ending.vertex[s][v.value] != 0);
+      const double gap = std::max(m.seams_of.vertex[s][v.value], snap.of(m.ending.vertex[s][v.value] != 0));
       const Triangle t = m.triangle(1 - s, p[1 - s]);
       const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
       if (std::abs(dot(n, m.at(v) - t[0])) > gap * norm(n)) continue;
@@ -198,21 +199,13 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
   }
 }
 
-/// True if a vertex of one edge was declared to lie on the other edge.
-bool share_symbol(const Meeting& m, LocalEdge e, LocalEdge f) {
-  for (const std::size_t s : kSides)
-    for (const VertexId v : m.side[s].ends(s == 0 ? e : f))
-      if (m.any_symbol(s, v, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, s == 0 ? f : e); }))
-        return true;
-  return false;
-}
-
 struct EdgePair {
   std::array<LocalEdge, 2> edge;
   std::array<double, 2> t;
   Vec3 point;  // on the edge of side 0
   double distance = 0;
-  bool is_gap = false;  // farther apart than the weld length
+  bool is_gap = false;  // farther apart than what is one place there
+  bool bends = false;   // farther apart than the weld length
 };
 
 /// A free edge of side 1 with both ends on side 0: it has been extended there, and what curves up between the ends is
@@ -236,8 +229,8 @@ std::optional<EdgePair> chord_crossing(const Meeting& m, LocalEdge e, LocalEdge 
   const Vec3 at = lerp(m.at(a), m.at(b), t);
   const SegmentPoint on_f = closest_on_segment(at, m.at(c), m.at(d));
   const double apart = distance(at, on_f.point);
-  if (on_f.t <= 0 || on_f.t >= 1 || apart > snap.feature || share_symbol(m, e, f)) return std::nullopt;
-  return EdgePair{{e, f}, {t, on_f.t}, at, apart, apart > snap.weld};
+  if (on_f.t <= 0 || on_f.t >= 1 || apart > snap.feature || m.share_end(e, f)) return std::nullopt;
+  return EdgePair{{e, f}, {t, on_f.t}, at, apart, apart > snap.weld, apart > snap.weld};
 }
 
 /// The nearest first.
@@ -252,7 +245,8 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const auto& [a, b] = m.side[0].ends(e);
         const auto& [c, d] = m.side[1].ends(f);
         const bool both = m.side[0].is_feature_edge(e) && m.side[1].is_feature_edge(f);
-        const double gap = snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0);
+        const double close = std::max({snap.weld, m.seams_of.edge[0][e], m.seams_of.edge[1][f]});
+        const double gap = std::max(close, snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0));
         if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
         if (bool undecided = false; chord[f] != 0) {
           if (const auto crossing = chord_crossing(m, e, f, snap, undecided)) found.push_back(*crossing);
@@ -261,8 +255,8 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
         const double apart = distance(near.first.point, near.second.point);
-        if (!inside || apart > gap || share_symbol(m, e, f)) continue;
-        const bool is_gap = apart > snap.weld;
+        if (!inside || apart > gap || m.share_end(e, f)) continue;
+        const bool is_gap = apart > close;
         const Vec3 on_e = near.first.point, on_f = near.second.point;
         if (is_gap && !m.side[0].is_feature_edge(e) &&
             !is_straight_across(m, 0, m.side[0].faces_at_edge(e), on_e, on_f, apart))
@@ -270,7 +264,7 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         if (is_gap && !m.side[1].is_feature_edge(f) &&
             !is_straight_across(m, 1, m.side[1].faces_at_edge(f), on_f, on_e, apart))
           continue;
-        found.push_back({{e, f}, {near.first.t, near.second.t}, on_e, apart, is_gap});
+        found.push_back({{e, f}, {near.first.t, near.second.t}, on_e, apart, is_gap, apart > snap.weld});
       }
   }
   std::sort(found.begin(), found.end(), [](const EdgePair& a, const EdgePair& b) {
@@ -298,6 +292,7 @@ bool is_doubtful(const Meeting& m, const EdgePair& p) {
 
 void declare_vertices(Meeting& m) {
   m.ending = ending_features(m, &Snap::feature);
+  m.seams_of = seam_widths(m);
   declare_shared(m);
   Seams seams(m);
   declare_vertex_on_vertex(m);
@@ -316,7 +311,7 @@ void declare_edges(Meeting& m) {
   Seams seams(m);
   for (const EdgePair& p : passing_edges(m)) {
     if (p.is_gap && is_doubtful(m, p)) continue;
-    m.has_closed_gap |= p.is_gap;
+    m.has_closed_gap |= p.bends;
     const std::array<Carrier, 2> on{Carrier{Carrier::kEdge, p.edge[0], p.t[0]},
                                     Carrier{Carrier::kEdge, p.edge[1], p.t[1]}};
     m.add(seams.shared_or_new(p.point, on));

@@ -69,6 +69,13 @@ bool Meeting::meet(std::size_t s, LocalEdge e, LocalFace f) const {
   return false;
 }
 
+bool Meeting::share_end(LocalEdge e, LocalEdge f) const {
+  for (const std::size_t s : kSides)
+    for (const VertexId v : side[s].ends(s == 0 ? e : f))
+      if (any_symbol(s, v, [&](const Symbol& symbol) { return on_edge(symbol, 1 - s, s == 0 ? f : e); })) return true;
+  return false;
+}
+
 std::uint32_t Meeting::add(const Symbol& symbol) {
   const auto id = static_cast<std::uint32_t>(symbols.size());
   symbols.push_back(symbol);

@@ -74,6 +74,12 @@ struct EndingFeatures {
   std::array<std::vector<std::uint8_t>, 2> vertex, edge;  // by side and vertex, local edge
 };
 
+/// How far the borders of open seams are apart, 0 where there is none. What meets such a seam between its borders, or
+/// beside it no farther away, meets both: nothing fits between.
+struct SeamWidths {
+  std::array<std::vector<double>, 2> vertex, edge;  // by side and vertex, local edge
+};
+
 struct Meeting {
   Complex& complex;
   GroupSets& groups;
@@ -99,6 +105,7 @@ struct Meeting {
   /// makes them end there.
   std::span<const VertexId> half_reached{};
   EndingFeatures ending{};  // within the snap length; set by declare_vertices()
+  SeamWidths seams_of{};    // set by declare_vertices()
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
@@ -124,6 +131,9 @@ struct Meeting {
 
   /// True if some symbol lies on both the edge of side s and the face of the other.
   [[nodiscard]] bool meet(std::size_t s, LocalEdge e, LocalFace f) const;
+
+  /// True if an end of one edge was declared to lie on the other edge; e of side 0, f of side 1.
+  [[nodiscard]] bool share_end(LocalEdge e, LocalEdge f) const;
 
   std::uint32_t add(const Symbol& symbol);
   /// A new vertex where edges cross, or an edge and a face.

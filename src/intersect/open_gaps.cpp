@@ -61,7 +61,7 @@ class Search {
   void look_at_edges(const FacePair& p) {
     for (const LocalEdge e : m_.side[0].edges(p[0]))
       for (const LocalEdge f : m_.side[1].edges(p[1])) {
-        if (ending_.edge[0][e] == 0 && ending_.edge[1][f] == 0) continue;
+        if ((ending_.edge[0][e] == 0 && ending_.edge[1][f] == 0) || m_.share_end(e, f)) continue;
         const auto& [a, b] = m_.side[0].ends(e);
         const auto& [c, d] = m_.side[1].ends(f);
         if (are_apart(m_.at(a), m_.at(b), m_.at(c), m_.at(d), tolerance_)) continue;

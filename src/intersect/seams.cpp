@@ -4,6 +4,7 @@
 #include <limits>
 #include <span>
 
+#include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 
 namespace meshgraft {
@@ -28,7 +29,73 @@ std::vector<VertexId> ends(const Side& side, const Carrier& on) {
   return {side.ends(on.id).begin(), side.ends(on.id).end()};
 }
 
+/// How far apart two borders of a seam may be where the faces have this size.
+double widest(const Snap& snap, double size) { return std::min(snap.feature, std::max(snap.weld, kWidest * size)); }
+
+/// The free edges of a side.
+class Borders {
+ public:
+  Borders(const Meeting& m, std::size_t s) : m_(m), side_(m.side[s]) {
+    std::vector<Box> boxes;
+    for (LocalEdge e = 0; e < side_.n_edges(); ++e) {
+      if (!side_.is_free(e)) continue;
+      Box box;
+      for (const VertexId v : side_.ends(e)) box.add(m.at(v));
+      edges_.push_back(e), boxes.push_back(box);
+    }
+    tree_ = BoxTree(boxes);
+  }
+  [[nodiscard]] std::span<const LocalEdge> edges() const { return edges_; }
+
+  /// The distance from the middle of a free edge to the nearest other one that is no neighbour of it, if there may be a
+  /// seam between them; else 0.
+  [[nodiscard]] double width(LocalEdge e) const {
+    const auto& [a, b] = side_.ends(e);
+    const Vec3 middle = midpoint(m_.at(a), m_.at(b));
+    const FaceId face = side_.face(side_.faces_at_edge(e).front());
+    if (!m_.exact.empty() && m_.exact[face.value] != 0) return 0;
+    const double size = m_.size[face.value], limit = widest(m_.rule.at(size), size);
+    double least = limit;
+    bool found = false;
+    Box place;
+    place.add(middle);
+    tree_.overlapping(place.grown(limit), [&](std::uint32_t i) {
+      const auto& [c, d] = side_.ends(edges_[i]);
+      if (are_connected(e, edges_[i])) return;
+      const double apart = distance(middle, closest_on_segment(middle, m_.at(c), m_.at(d)).point);
+      if (apart <= least) least = apart, found = true;
+    });
+    return found ? least : 0;
+  }
+
+ private:
+  [[nodiscard]] bool are_connected(LocalEdge e, LocalEdge f) const {
+    return std::ranges::any_of(side_.ends(e), [&](VertexId v) {
+      return std::ranges::any_of(side_.ends(f), [&](VertexId w) { return v == w || side_.find(v, w) != kNowhere; });
+    });
+  }
+
+  const Meeting& m_;
+  const Side& side_;
+  std::vector<LocalEdge> edges_;
+  BoxTree tree_;
+};
+
 }  // namespace
+
+SeamWidths seam_widths(const Meeting& m) {
+  SeamWidths widths;
+  for (const std::size_t s : kSides) {
+    widths.vertex[s].assign(m.complex.n_vertices(), 0), widths.edge[s].assign(m.side[s].n_edges(), 0);
+    const Borders borders(m, s);
+    for (const LocalEdge e : borders.edges()) {
+      const double width = borders.width(e);
+      widths.edge[s][e] = width;
+      for (const VertexId v : m.side[s].ends(e)) widths.vertex[s][v.value] = std::max(widths.vertex[s][v.value], width);
+    }
+  }
+  return widths;
+}
 
 Seams::Seams(Meeting& meeting) : m_(meeting) {
   for (const std::size_t s : kSides) {
@@ -71,7 +138,7 @@ double Seams::width(std::size_t s, const Carrier& a, const Carrier& b) const {
     return std::ranges::any_of(ends_b, [&](VertexId w) { return v == w || side.find(v, w) != kNowhere; });
   });
   if (exact || connected) return snap.weld;
-  return std::min(snap.feature, std::max(snap.weld, kWidest * size));
+  return widest(snap, size);
 }
 
 /// An edge that has the vertex at an end goes through no seam there.

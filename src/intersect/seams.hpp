@@ -14,6 +14,9 @@
 
 namespace meshgraft {
 
+/// The widths of the open seams of both sides. Cost n log n in the free edges.
+[[nodiscard]] SeamWidths seam_widths(const Meeting& meeting);
+
 /// Asks for the symbols of a meeting that seams share. Sees those that were added since.
 class Seams {
  public:

@@ -69,7 +69,7 @@ struct HalfReaching {
 };
 
 HalfReaching half_reaching(bool pipe) {
-  const double lean = uniform(0.7, std::numbers::pi / 2), turn = uniform(0, 2 * std::numbers::pi);
+  const double lean = uniform(0.9, std::numbers::pi / 2), turn = uniform(0, 2 * std::numbers::pi);
   const double gap = uniform(0.2, 0.6) * kSize, rise = uniform(0, 0.2) * kSize, bow = uniform(-0.3, 0.3) * kSize;
   const double size = *rc::gen::element(0.8, 1.0, 1.3, 2.0) * kSize;
   const double askew = pipe ? uniform(-0.3, 0.3) : 0, length = pipe ? 0.8 : 1.2, radius = 0.7;
