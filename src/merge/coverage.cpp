@@ -82,40 +82,74 @@ class Coverage {
     return std::max(limits_.max_relative * length, tolerance_.at(length));
   }
 
+  /// By vertex of before_: how far a corner of a face on it was drawn off the parent, to close a gap. New faces may
+  /// take the way down beside it.
+  [[nodiscard]] std::vector<double> drawn() const {
+    std::vector<double> own(before_.n_vertices(), 0), around(before_.n_vertices(), 0);
+    if (outcome_.corefined.moves.empty()) return around;
+    for (const FaceId f : removed_) {
+      const ElementRef parent = before_.parent[f.value];
+      const Triangle was = outcome_.inputs[parent.input]->corners(parent.element);
+      for (const VertexId v : before_.face[f.value]) {
+        const Vec3 p = before_.position[v.value];
+        own[v.value] = std::max(own[v.value], distance(p, closest_on_triangle(p, was).point));
+      }
+    }
+    for (const FaceId f : removed_) {
+      const auto [a, b, c] = before_.face[f.value];
+      const double most = std::max({own[a.value], own[b.value], own[c.value]});
+      for (const VertexId v : {a, b, c}) around[v.value] = std::max(around[v.value], most);
+    }
+    return around;
+  }
+
   /// Corners and centroids of what was removed.
   void look_from_removed() {
     const Patches there = patches(after_, new_, [&](FaceId f) { return keys_after(f); });
-    Report::Fidelity::Removed& worst = verdict_.figures;
-    FaceId at_face;
-    bool lost = false;
+    Report::Fidelity::Removed& most = verdict_.figures;
+    const std::vector<double> drawn_around = drawn();
+    Gone gone;
     for (const FaceId f : removed_) {
-      const double length = edge_length(before_.parent[f.value]);
+      double most_drawn = 0;
+      for (const VertexId v : before_.face[f.value]) most_drawn = std::max(most_drawn, drawn_around[v.value]);
+      const double length = edge_length(before_.parent[f.value]), enough = allowed(length) + most_drawn;
       const auto [a, b, c] = before_.corners(f);
+      const Vec3 middle = (a + b + c) / 3.0;
       for (const Key& key : keys_before(f)) {
         const auto patch = there.find(key);
-        if (patch == there.end() && !lost) lost = true, at_face = f, worst.at = (a + b + c) / 3.0;
-        if (lost) break;
-        for (const Vec3 p : {(a + b + c) / 3.0, a, b, c}) {
-          if (patch->second.is_within(p, std::max(kNegligible, worst.max_distance_relative) * length)) continue;
+        if (patch == there.end()) return tell({f, middle});
+        for (const Vec3 p : {middle, a, b, c}) {
+          const double of_interest =
+              std::max(kNegligible * length, std::min(most.max_distance_relative * length, enough));
+          if (patch->second.is_within(p, of_interest)) continue;
           const double d = patch->second.distance(p);
-          worst = {std::max(worst.max_distance, d), d / length, p};
-          at_face = f;
+          if (d > most.max_distance_relative * length) most = {std::max(most.max_distance, d), d / length, p};
+          if (const double beyond = (d - enough) / length; beyond > gone.beyond) gone = {f, p, d, beyond};
         }
       }
     }
-    if (!at_face.valid()) return;
-    const ElementRef parent = before_.parent[at_face.value];
-    const double length = edge_length(parent);
-    if (!lost && worst.max_distance_relative * length <= allowed(length)) return;
-    verdict_.broken.push_back({ErrorCode::kPromiseBroken,
-                               "the surface of " + text_of(outcome_.inputs, parent) + " is gone around " +
-                                   text_of(worst.at) +
-                                   (lost ? ": no new face has its groups and properties"
-                                         : ": the new faces with its groups and properties are " +
-                                               text_of(worst.max_distance_relative * length) + " off, " +
-                                               text_of(100 * worst.max_distance_relative) + " % of the edge length"),
-                               "give a smaller --size, so that the surface is followed more closely",
-                               place_of(*outcome_.inputs[parent.input], parent.element)});
+    if (gone.face.valid()) tell(gone);
+  }
+
+  /// A place where surface is missing.
+  struct Gone {
+    FaceId face;  // of before_
+    Vec3 at;
+    double distance = 0;  // of the new faces that stand for it; 0: there are none
+    double beyond = 0;    // what is allowed, over the edge length
+  };
+
+  void tell(const Gone& gone) {
+    const ElementRef parent = before_.parent[gone.face.value];
+    verdict_.broken.push_back(
+        {ErrorCode::kPromiseBroken,
+         "the surface of " + text_of(outcome_.inputs, parent) + " is gone around " + text_of(gone.at) +
+             (gone.distance == 0
+                  ? ": no new face has its groups and properties"
+                  : ": the new faces with its groups and properties are " + text_of(gone.distance) + " off, " +
+                        text_of(100 * gone.distance / edge_length(parent)) + " % of the edge length"),
+         "give a smaller --size, so that the surface is followed more closely",
+         place_of(*outcome_.inputs[parent.input], parent.element)});
   }
 
   /// Centroids of the new faces.

@@ -94,8 +94,10 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
       },
       [&] { inputs.emplace(corefined); });
   const SizeField& size = *field;
+  const bool alike = size_ratio(original, corefined) < limits.alike;
+  const double wanted = alike ? limits.mean_alike : limits.mean_graded;
   RemeshOptions remesh_options;
-  remesh_options.min_quality = options.min_quality;
+  remesh_options.min_quality = options.min_quality, remesh_options.wanted_mean = limits.mean_alike;
 
   if (options.method == Method::kPaper) {
     const Zone zone =
@@ -109,8 +111,6 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   };
   const auto zone_of = [&](int more) { return neighbourhoods(corefined, *inputs, size, options.bandwidth, more); };
 
-  const bool alike = size_ratio(original, corefined) < limits.alike;
-  const double wanted = alike ? limits.mean_alike : limits.mean_graded;
   Zone narrow = zone_of(0);
   const bool irregular = alike && mean_input_quality(narrow, corefined) < limits.regular_input;
   const int start = !options.bandwidth && irregular ? limits.more_at_once : 0;
@@ -130,12 +130,14 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   const int automatic = zone.bandwidth.empty() ? 0 : *std::ranges::max_element(zone.bandwidth);
   const int most = std::max(limits.max_neighbourhoods, automatic + limits.beyond);
   std::vector<Vec3> places = mendable_places(best.remeshed);
-  for (int round = 1; round <= limits.max_rounds && !places.empty(); ++round) {
+  int in_vain = 0;  // rounds since the last one that was better
+  for (int round = 1; round <= limits.max_rounds && in_vain < limits.max_in_vain && !places.empty(); ++round) {
     if (!widen(zone, corefined, *inputs, size, places, most)) break;
     Attempt wider = attempt(zone);
     places = mendable_places(wider.remeshed);
+    ++in_vain;
     if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))
-      best = std::move(wider), ++widened;
+      best = std::move(wider), ++widened, in_vain = 0;
   }
   return {std::move(best.remeshed), best.zone.bandwidth, widened};
 }

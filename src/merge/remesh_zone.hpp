@@ -16,6 +16,7 @@ struct WidenLimits {
   int max_neighbourhoods = 6;  // from the junction; or, where sizes grade over more than that,
   int beyond = 3;              // beyond the automatic zone
   int max_rounds = 6;
+  int max_in_vain = 2;  // of those, one after the other, that make nothing better
   /// An automatic zone grows by `more` neighbourhoods if the mean Q of its faces is below this, where
   /// the edge lengths of the meshes differ by less than `alike`, or grade by more. In one step, because
   /// each step costs a remeshing of the whole zone.

@@ -18,13 +18,16 @@ void relax_all(Editor& editor);
 /// The same without flips, for the vertices of curves only.
 void relax_curves(Editor& editor);
 
+/// Whether a flip must bring vertices nearer to six faces (in squares), or only not farther from that.
+enum class Irregularity : std::uint8_t { kLess, kNotMore };
+
 /// Flips edges and removes vertices where that brings vertices nearer to six faces (or what the angle of their
 /// sheet there has room for) and lowers the cost: irregular vertices are what keeps the mean Q down. Settled
 /// vertices are left alone.
-void regularise(Editor& editor);
+void regularise(Editor& editor, Irregularity wanted = Irregularity::kLess);
 
-/// Mends faces with Q < `target` or too far from the reference, worst Q first, by whatever local operation
-/// helps most; stops when none is left or nothing helps.
+/// Mends faces with Q < `target` that are not settled, or too far from the reference, worst Q first, by whatever local
+/// operation helps most; stops when none is left or nothing helps.
 void mend(Editor& editor, double target);
 
 }  // namespace meshgraft

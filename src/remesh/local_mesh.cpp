@@ -224,6 +224,18 @@ std::vector<FaceId> LocalMesh::faces_since(Mark mark) const {
   return made;
 }
 
+bool LocalMesh::is_changed(FaceId f) const {
+  return is_new(f) || std::ranges::any_of(face(f).v, [&](VertexId v) { return vertex(v).moved; });
+}
+
+double LocalMesh::mean_quality() const {
+  double sum = 0;
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < n_faces(); ++k)
+    if (const FaceId f(k); face(f).alive && is_changed(f)) sum += face(f).q, ++n;
+  return n > 0 ? sum / static_cast<double>(n) : 1;
+}
+
 double LocalMesh::quality(const LocalFace& f) const {
   const Triangle t{position(f.v[0]), position(f.v[1]), position(f.v[2])};
   const Sheet& s = brep_.sheets[f.sheet.value];

@@ -81,6 +81,10 @@ class LocalMesh {
   [[nodiscard]] std::span<const FaceId> star(VertexId v) const { return star_[v.value]; }
   [[nodiscard]] bool is_new(FaceId f) const { return faces_[f.value].is_new; }
   [[nodiscard]] bool is_new(VertexId v) const { return v.value >= n_original_vertices_; }
+  /// Whether a face is new or a corner of it was moved.
+  [[nodiscard]] bool is_changed(FaceId f) const;
+  /// Mean Q of the faces that are not as in the complex; 1 if there are none.
+  [[nodiscard]] double mean_quality() const;
 
   /// Also true of the edges that other sheets than that of a piece have.
   [[nodiscard]] bool has_edge(VertexId a, VertexId b) const;

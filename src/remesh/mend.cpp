@@ -13,7 +13,8 @@ namespace {
 constexpr int kRounds = 6;                // sweeps over the poor faces
 constexpr double kDeviationWeight = 1.5;  // of the deviation beyond what is allowed, in the cost
 constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a change is not worth making
-constexpr int kLeastRegularGain = 3;  // of an edge: excess of its ends less that opposite; 3 lowers the sum of squares
+constexpr int kEvenGain = 2;    // of a flip: excess at its ends less that opposite; this keeps the sum of squares
+constexpr double kSafe = 0.05;  // above the wanted worst Q: faces better than that may pay for others
 constexpr double kIdealAngle = std::numbers::pi / 3;  // of a corner of a face
 
 /// Which ids were seen since it was last told to forget.
@@ -52,7 +53,8 @@ class Mender {
   }
 
   /// Changes that bring vertices nearer to their ideal number of faces.
-  void regularise() {
+  void regularise(Irregularity wanted) {
+    least_gain_ = wanted == Irregularity::kLess ? kEvenGain + 1 : kEvenGain;
     waiting_.assign(mesh().n_vertices(), 1);
     for (int round = 0; round < kRounds; ++round) {
       bool better = false;
@@ -105,7 +107,7 @@ class Mender {
         for (const VertexId w : mesh().face(faces[i]).v)
           if (w != u && w != v) at[2 + i] = w;
       const int gain = own + excess(u, sheet) - excess(at[2], sheet) - excess(at[3], sheet);
-      if (gain >= kLeastRegularGain && gains(at, [&] { return editor_.flip(u, v); })) return true;
+      if (gain >= least_gain_ && gains(at, [&] { return editor_.flip(u, v); })) return true;
     }
     return false;
   }
@@ -114,12 +116,12 @@ class Mender {
   bool gains(std::span<const VertexId> at, const std::function<bool()>& change) {
     const std::vector<VertexId> near = ring(at), region = ring(near);
     added_ = VertexId{};
-    if (!gains(change, near, region, cost_around(region))) return false;
+    if (!gains(change, near, region, state_of(region))) return false;
     for (const VertexId w : near) waiting_[w.value] = 1;
     return true;
   }
 
-  bool is_poor(FaceId f) { return mesh().face(f).q < target_ || editor_.deviation(f) > 1; }
+  bool is_poor(FaceId f) { return (mesh().face(f).q < target_ && !is_settled(editor_, f)) || editor_.deviation(f) > 1; }
 
   /// All vertices of faces on the given vertices, ascending.
   [[nodiscard]] std::vector<VertexId> ring(std::span<const VertexId> of) {
@@ -133,20 +135,34 @@ class Mender {
     return all;
   }
 
-  double cost_around(std::span<const VertexId> vertices) {
+  /// The faces around some vertices.
+  struct State {
+    double cost = 0, worst = 1;  // Q of the worst
+  };
+
+  State state_of(std::span<const VertexId> vertices) {
     faces_.clear(), seen_faces_.forget();
     for (const VertexId v : vertices)
       for (const FaceId f : mesh().star(v))
         if (mesh().face(f).in_zone && seen_faces_.is_first(f.value)) faces_.push_back(f);
     std::ranges::sort(faces_);
-    double sum = editor_.cost(faces_);
-    for (const FaceId f : faces_) sum += kDeviationWeight * std::max(0.0, editor_.deviation(f) - 1);
-    return sum;
+    State state{editor_.cost(faces_)};
+    for (const FaceId f : faces_) {
+      state.cost += kDeviationWeight * std::max(0.0, editor_.deviation(f) - 1);
+      state.worst = std::min(state.worst, mesh().face(f).q);
+    }
+    return state;
   }
 
-  /// Runs one change and relaxes `around` after it; keeps it if the region costs less.
+  /// Costs less, and is not bought with a face poorer than wanted.
+  [[nodiscard]] bool is_better(const State& after, const State& before) const {
+    const double least = std::min(before.worst, editor_.options().min_quality + kSafe);
+    return after.cost < before.cost - kLeastGain && after.worst >= least;
+  }
+
+  /// Runs one change and relaxes `around` after it; keeps it if the region is better.
   bool gains(const std::function<bool()>& change, std::span<const VertexId> around, std::span<const VertexId> region,
-             double before) {
+             const State& before) {
     const auto start = editor_.mark();
     if (!change()) return false;
     const auto n_vertices = mesh().n_vertices();
@@ -157,7 +173,7 @@ class Mender {
     }
     std::vector<VertexId> all(region.begin(), region.end());
     if (added_.valid()) all.push_back(added_);
-    if (cost_around(all) < before - kLeastGain) return true;
+    if (is_better(state_of(all), before)) return true;
     editor_.undo(start);
     return false;
   }
@@ -175,7 +191,7 @@ class Mender {
   bool change_topology(const std::array<VertexId, 3>& v) {
     const std::vector<VertexId> near = ring(v);
     const std::vector<VertexId> region = ring(near);
-    const double before = cost_around(region);
+    const State before = state_of(region);
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexId a = v[k], b = v[(k + 1) % 3];
       added_ = VertexId{};
@@ -200,6 +216,7 @@ class Mender {
 
   Editor& editor_;
   double target_;
+  int least_gain_ = 0;                 // of a flip that regularises
   VertexId added_;                     // by the split under trial
   std::vector<std::uint8_t> waiting_;  // by vertex: to be regularised, for something around it has changed
   std::vector<FaceId> faces_;
@@ -208,7 +225,7 @@ class Mender {
 
 }  // namespace
 
-void regularise(Editor& editor) { Mender(editor, 0).regularise(); }
+void regularise(Editor& editor, Irregularity wanted) { Mender(editor, 0).regularise(wanted); }
 
 void mend(Editor& editor, double target) { Mender(editor, target).run(); }
 

@@ -11,6 +11,7 @@ namespace meshgraft {
 namespace {
 
 constexpr double kComfortable = 0.65;  // Q below which a face is mended for the sake of the mean
+constexpr double kAmbitious = 0.75;    // the same where the mean is below the wanted one
 constexpr double kMargin = 0.05;       // above the wanted Q, so that rounding in files cannot spoil it
 
 }  // namespace
@@ -31,6 +32,13 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
     regularise(sheet);
   });
   mend(editor, kComfortable);
+  if (editor.mesh().mean_quality() < options.wanted_mean) {
+    in_each_sheet(editor, [](Editor& sheet) {
+      regularise(sheet, Irregularity::kNotMore);
+      relax_all(sheet);
+    });
+    mend(editor, kAmbitious);
+  }
   relax_curves(editor);
   in_each_sheet(editor, [](Editor& sheet) { relax_all(sheet); });
   mend(editor, options.min_quality + kMargin);

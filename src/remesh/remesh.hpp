@@ -15,6 +15,7 @@ namespace meshgraft {
 
 struct RemeshOptions {
   double min_quality = 0.5;      // wanted worst Q
+  double wanted_mean = 0.9;      // mean Q below which fair faces are worked on too
   double max_deviation = 0.065;  // of new faces from the reference surface, share of the edge length of the input
 };
 

@@ -79,7 +79,8 @@ class Writer {
     return from <= to ? CurveEdge{from, to, a, b} : CurveEdge{to, from, b, a};
   }
 
-  /// 1D elements: kept where their edge is still there, made anew on the other edges of a curve.
+  /// 1D elements: kept where their edge is still there, wherever its ends have slid to; made anew on the other
+  /// edges of a curve.
   void write_lines_first() {
     std::vector<std::uint8_t> gone(complex_.lines.size(), 0);
     std::vector<Complex::Line> made;
@@ -87,17 +88,21 @@ class Writer {
       const Curve& curve = brep_.curves[c];
       if (curve.lines_per_edge == 0 || editor_.reference().polyline(CurveId(c)).empty()) continue;
       const std::size_t n = curve.lines_per_edge;
+      std::vector<std::array<VertexId, 2>> kept;
       for (std::size_t e = 0; e + 1 < curve.chain.size(); ++e) {
-        if (mesh().has_edge(curve.chain[e], curve.chain[e + 1])) continue;
-        for (std::size_t k = 0; k < n; ++k) gone[curve.lines[e * n + k]] = 1;
+        const VertexId a = curve.chain[e], b = curve.chain[e + 1];
+        if (mesh().has_edge(a, b) && mesh().curve_at(a, b) == CurveId(c))
+          kept.push_back({std::min(a, b), std::max(a, b)});
+        else
+          for (std::size_t k = 0; k < n; ++k) gone[curve.lines[e * n + k]] = 1;
       }
+      std::ranges::sort(kept);
       for (const CurveEdge& edge : edges_[c]) {
+        if (std::ranges::binary_search(kept, std::array{std::min(edge.a, edge.b), std::max(edge.a, edge.b)})) continue;
         const std::size_t e = editor_.reference().edge(CurveId(c), 0.5 * (edge.from + edge.to));
-        const VertexId first = curve.chain[e], second = curve.chain[e + 1];
-        if ((edge.a == first && edge.b == second) || (edge.a == second && edge.b == first)) continue;
         for (std::size_t k = 0; k < n; ++k) {
           Complex::Line line = complex_.lines[curve.lines[e * n + k]];
-          const bool forward = line.ends[0] == first;
+          const bool forward = line.ends[0] == curve.chain[e];
           line.ends = forward ? std::array{edge.a, edge.b} : std::array{edge.b, edge.a};
           made.push_back(line);
         }
@@ -165,8 +170,6 @@ class Writer {
   }
 
   void write_faces() {
-    double sum = 0;
-    std::size_t n_changed = 0;
     for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
       const FaceId f(k);
       const LocalFace& face = mesh().face(f);
@@ -177,14 +180,8 @@ class Writer {
       result_.in_zone.push_back(mesh().is_new(f) ? 1 : in_zone_[k]);
       if (face.in_zone && face.q < editor_.options().min_quality)
         result_.bad.push_back({id, face.q, cause_of(editor_, f)});
-      if (is_changed(f)) sum += face.q, ++n_changed;
     }
-    if (n_changed > 0) result_.mean_quality = sum / static_cast<double>(n_changed);
-  }
-
-  [[nodiscard]] bool is_changed(FaceId f) const {
-    return mesh().is_new(f) ||
-           std::ranges::any_of(mesh().face(f).v, [&](VertexId v) { return mesh().vertex(v).moved; });
+    result_.mean_quality = mesh().mean_quality();
   }
 
   /// How far the mesh is off the reference at most.
@@ -220,7 +217,7 @@ class Writer {
         mesh().n_faces(),
         [&](std::size_t first, std::size_t last) {
           for (FaceId f(first); f.value < last; ++f.value)
-            if (mesh().face(f).alive) beneath_face_[f.value] = is_changed(f) ? beneath(f) : Beneath{f, {}};
+            if (mesh().face(f).alive) beneath_face_[f.value] = mesh().is_changed(f) ? beneath(f) : Beneath{f, {}};
         },
         kProjectBlock);
   }
