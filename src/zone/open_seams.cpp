@@ -31,14 +31,16 @@ bool are_in_one_place(const Segment& a, const Segment& b, double width) {
 }  // namespace
 
 std::vector<EdgeId> seam_edges(const Complex& complex, const EdgeTable& edges) {
-  std::vector<EdgeId> free;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if (edges.uses(EdgeId(i)).size() == 1) free.emplace_back(i);
-  const double width = free.empty() ? 0 : width_of_a_place(complex);
   const auto segment = [&](EdgeId e) {
     const auto [a, b] = edges.ends(e);
     return Segment{complex.position[a.value], complex.position[b.value]};
   };
+  std::vector<EdgeId> free;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (edges.uses(EdgeId(i)).size() == 1) free.emplace_back(i);
+  const double width = free.empty() ? 0 : width_of_a_place(complex);
+  // The ends of shorter ones, which a cut beside a row of nodes leaves, are in one place with their neighbours'.
+  std::erase_if(free, [&](EdgeId e) { return distance(segment(e)[0], segment(e)[1]) <= width; });
   const auto component = [&](EdgeId e) { return complex.component[edges.uses(e)[0].face.value]; };
   std::vector<Box> boxes(free.size());
   for (std::size_t i = 0; i < free.size(); ++i) {

@@ -9,6 +9,7 @@
 namespace meshgraft {
 
 /// Free edges in the place of another free edge of the same component, up to 1e-4 of the mean edge length; ascending.
+/// Only longer ones count.
 /// Cost O(m + k log k) for k free edges.
 [[nodiscard]] std::vector<EdgeId> seam_edges(const Complex& complex, const EdgeTable& edges);
 

@@ -90,6 +90,15 @@ TEST(Cut, TheOtherSideOfAPlane) {
   EXPECT_NEAR(area(result), 0.766, 1e-9);
 }
 
+TEST(Cut, APlaneBesideARowOfNodesLeavesNoSlivers) {
+  const Model base = plate(0);
+  for (const double beside : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    const Merged m = made(base, PlaneTool{{1 + beside, 0, 0}, {1, 0, 0}}, kDropOutside);
+    expect_laws(base, m);
+    EXPECT_GE(m.report.quality.min, 0.5) << beside;
+  }
+}
+
 TEST(Cut, APlaneThroughNodesLeavesThemAsTheyAre) {
   const Model base = plate(0);
   const Merged m = made(base, PlaneTool{{1, 0, 0}, {1, 0, 0}}, kDropOutside);
