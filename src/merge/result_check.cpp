@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <span>
 
 #include "check/face_pairs.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
+#include "merge/edges.hpp"
 #include "merge/free_edges.hpp"
 #include "zone/open_seams.hpp"
 
@@ -58,10 +60,11 @@ class ResultCheck {
 
   /// All checks at the same time; their findings stand in the order of the checks.
   ResultVerdict run() {
-    std::array<ResultVerdict, 5> found;
+    std::array<ResultVerdict, 7> found;
     tbb::parallel_invoke([&] { found[0] = intersections(); }, [&] { found[1] = duplicates(); },
                          [&] { found[2] = free_edges(); }, [&] { found[3] = parents(); },
-                         [&] { found[4] = lost_nodes(); });
+                         [&] { found[4] = lost_nodes(); }, [&] { found[5] = doubled_lines(); },
+                         [&] { found[6] = folds(); });
     ResultVerdict all;
     for (ResultVerdict& v : found) {
       std::ranges::move(v.broken, std::back_inserter(all.broken));
@@ -130,7 +133,7 @@ class ResultCheck {
   /// One of the layers lies on the other, as was asked for: on the same nodes, of two components.
   bool are_layers(FaceId f, FaceId g) const {
     return outcome_.all_layers && complex_.component[f.value] != complex_.component[g.value] &&
-           std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
+           are_on_the_same_nodes(f, g);
   }
 
   /// Faces on both sides of an open seam meet there as neighbours do: in nodes in one place, or along a free edge.
@@ -222,6 +225,71 @@ class ResultCheck {
         left.push_back({a, b});
     }
     return {findings.all(), warning("doubled-face", left, " stand on the same nodes and were left as they are")};
+  }
+
+  /// Faces that turn back onto a neighbour, which crosses nothing and hides half of the surface.
+  [[nodiscard]] ResultVerdict folds() const {
+    std::vector<std::uint8_t> at_changed(complex_.n_vertices());
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (outcome_.is_changed(FaceId(f)))
+        for (const VertexId v : complex_.face[f]) at_changed[v.value] = 1;
+    Findings findings(limits_.max_listed);
+    for_each_edge(edge_uses(complex_, at_changed), [&](std::span<const FaceOnEdge> uses) {
+      for (std::size_t i = 0; i < uses.size(); ++i)
+        for (std::size_t j = i + 1; j < uses.size(); ++j) {
+          const FaceId f = uses[i].face, g = uses[j].face;
+          if (!outcome_.is_changed(f) && !outcome_.is_changed(g)) continue;
+          const Vec3 a = across(uses[i]), b = across(uses[j]);
+          if (std::atan2(norm(cross(a, b)), dot(a, b)) >= limits_.fold_angle || are_on_the_same_nodes(f, g)) continue;
+          findings.add(outcome_.text(g) + " is folded onto " + outcome_.text(f), outcome_.parent_place(g));
+        }
+    });
+    return {findings.all(), {}};
+  }
+
+  /// From an edge to the third corner of a face on it, at right angles to the edge.
+  [[nodiscard]] Vec3 across(const FaceOnEdge& use) const {
+    const Vec3 from = complex_.position[use.low.value], along = normalized(complex_.position[use.high.value] - from);
+    Vec3 to;
+    for (const VertexId v : complex_.face[use.face.value])
+      if (v != use.low && v != use.high) to = complex_.position[v.value] - from;
+    return to - dot(to, along) * along;
+  }
+
+  [[nodiscard]] bool are_on_the_same_nodes(FaceId f, FaceId g) const {
+    return std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
+  }
+
+  /// 1D elements on the same nodes that descend from elements in two places.
+  [[nodiscard]] ResultVerdict doubled_lines() const {
+    std::vector<std::pair<std::array<VertexId, 2>, ElementRef>> keys;
+    for (const Complex::Line& line : complex_.lines)
+      keys.push_back({{std::min(line.ends[0], line.ends[1]), std::max(line.ends[0], line.ends[1])}, line.parent});
+    std::sort(keys.begin(), keys.end());
+    Findings findings(limits_.max_listed);
+    for (std::size_t k = 1; k < keys.size(); ++k) {
+      const auto& [ends, parent] = keys[k];
+      const ElementRef other = keys[k - 1].second;
+      if (keys[k - 1].first != ends || (other != parent && were_in_one_place(other, parent))) continue;
+      findings.add("two 1D elements around " +
+                       text_of(midpoint(complex_.position[ends[0].value], complex_.position[ends[1].value])) + ", of " +
+                       text_of(outcome_.inputs, other) + " and " + text_of(outcome_.inputs, parent) +
+                       ", are on the same nodes",
+                   place_of(*outcome_.inputs[parent.input], parent.element));
+    }
+    return {findings.all(), {}};
+  }
+
+  /// Of 1D elements.
+  [[nodiscard]] bool were_in_one_place(ElementRef a, ElementRef b) const {
+    const auto ends = [&](ElementRef e) {
+      const Model& model = *outcome_.inputs[e.input];
+      const auto nodes = model.nodes_of(e.element);
+      return std::array{model.position[nodes[0].value], model.position[nodes[1].value]};
+    };
+    const auto [a0, a1] = ends(a);
+    const auto [b0, b1] = ends(b);
+    return distance(midpoint(a0, a1), midpoint(b0, b1)) < 0.5 * distance(a0, a1);  // neighbours: all of it
   }
 
   [[nodiscard]] ResultVerdict free_edges() const {

@@ -1,6 +1,7 @@
 // The result is checked before it is used: nothing that a merge must not do has happened.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "merge/group_table.hpp"
@@ -13,6 +14,8 @@ namespace meshgraft {
 struct ResultCheckLimits {
   /// How far a new free edge may be from the free edge it replaces, over its length.
   double free_edge_distance = 0.1;
+  /// Angle between two faces on one edge, in radians, below which one is folded onto the other.
+  double fold_angle = std::numbers::pi / 180;
   /// Findings of each kind that are listed one by one.
   std::size_t max_listed = 10;
 };
@@ -25,7 +28,8 @@ struct ResultVerdict {
 /// All findings.
 ///
 ///  (1) No two faces meet but in shared nodes and edges, unless their parents, of one input, did.
-///  (2) No two elements lie on the same three nodes.
+///  (2) No two faces lie on the same three nodes, no face is folded onto a neighbour, and no two 1D elements from
+///      different places lie on the same two nodes.
 ///  (3) Each new free edge lies along a free edge of an input; each free edge that went is on
 ///      another free edge or on the junction.
 ///  (4) New faces are oriented as their parents, and are in their groups.

@@ -184,6 +184,34 @@ TEST(Merge, BeamsAlongACrossedEdgeAreRebuiltWithTheirGroups) {
   EXPECT_NEAR(beam->length_after, 2, 1e-12);
 }
 
+TEST(Merge, BeamsWhoseNodesSlideAlongTheirLineAreNotDoubled) {
+  // Ribs with beams on their upper edges, and a frame across them that ends lower.
+  std::vector<Model> sheets{scenes::plate({0, 0, 0}, {12, 0, 0}, {0, 9, 0}, 0.5, "PLATE")};
+  for (const double y : {1.5, 4.5, 7.5})
+    sheets.push_back(scenes::plate({0, y, 0}, {12, 0, 0}, {0, 0, 1.5}, 0.5, "RIBS"));
+  const Model plain = scenes::welded(scenes::together(sheets));
+  ModelBuilder b;
+  for (const Vec3 p : plain.position) b.add_node(p);
+  for (std::size_t e = 0; e < plain.n_elements(); ++e) {
+    const auto n = plain.nodes_of(ElementId(e));
+    b.add_face(n[0], n[1], n[2]);
+  }
+  std::map<double, std::map<double, NodeId>> upper;  // by y, x
+  for (std::size_t v = 0; v < plain.n_nodes(); ++v)
+    if (const Vec3 p = plain.position[v]; p.z == 1.5) upper[p.y][p.x] = NodeId(v);
+  for (const auto& [y, along] : upper)
+    for (auto at = along.begin(); std::next(at) != along.end(); ++at)
+      b.add_to_group("BEAM", b.add_line(at->second, std::next(at)->second));
+  const Model base = b.build();
+  const scenes::Surface frame{[](double u, double v) { return Vec3{5, 9 * u, v}; }, 18, 6, false, false, 0, 1, "FRAME"};
+  const std::vector<Model> parts{scenes::surface(frame)};
+  const Merged m = merged(base, parts);
+  expect_laws(base, parts, m);
+  const auto beam = std::ranges::find(m.report.groups, "BEAM", &GroupEntry::name);
+  ASSERT_NE(beam, m.report.groups.end());
+  EXPECT_NEAR(beam->length_after, 36, 1e-9);
+}
+
 TEST(Merge, ExplicitNodesStayAndCoveringGroupsStillCover) {
   Model plain = wall(0);
   ModelBuilder b;
@@ -288,6 +316,23 @@ TEST(Merge, CoarseTubesKeepTheirSurfaceAndTheirEnds) {
   EXPECT_LE(m.report.fidelity.max_distance_relative, 0.085);
   EXPECT_GE(m.report.quality.min, 0.5);
   EXPECT_GE(m.report.quality.mean, 0.83);
+}
+
+TEST(Merge, AnEndNearTheJunctionKeepsItsShape) {
+  // A pipe of 20 facets through a wall of 40, askew: the end inside is three rows from the junction.
+  const auto run = [](double u, double v) {
+    const double a = 2 * std::numbers::pi * u;
+    return Vec3{50 * std::cos(a), 50 * std::sin(a), 400 * v - 200};
+  };
+  const auto branch = [](double u, double v) {
+    const double a = 2 * std::numbers::pi * u, along = 200 * v / std::numbers::sqrt2,
+                 across = 35 * std::sin(a) / std::numbers::sqrt2;
+    return Vec3{along - across, 35 * std::cos(a), along + across};
+  };
+  const Model base = scenes::surface({run, 40, 30, true, false, 0, 1, "RUN"});
+  const Merged m = merged(base, {scenes::surface({branch, 20, 15, true, false, 0, 1, "BRANCH"})});
+  for (const Error& e : m.report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_GE(m.report.quality.min, 0.5);
 }
 
 TEST(Merge, PartsApartAreAnErrorUnlessAllowed) {

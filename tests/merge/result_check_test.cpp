@@ -143,6 +143,33 @@ TEST(ResultCheck, TwoFacesOnTheSameNodesAreNoticed) {
   EXPECT_TRUE(says(findings(m), "are on the same nodes"));
 }
 
+TEST(ResultCheck, AFaceFoldedOntoItsNeighbourIsNoticed) {
+  for (const double degrees : {0.5, 5.0}) {
+    HandMade m({plate()});
+    const VertexId c = m.split_face(FaceId(std::size_t{12}));
+    const Triangle t = m.final_complex.corners(FaceId(std::size_t{12}));  // c is its last corner
+    const Vec3 foot = midpoint(t[0], t[1]);
+    const Vec3 beyond = foot - t[2];
+    m.final_complex.position[c.value] = foot + beyond + Vec3{0, 0, norm(beyond) * degrees / 57.3};
+    EXPECT_EQ(says(findings(m), "is folded onto"), degrees < 1);
+  }
+}
+
+TEST(ResultCheck, BeamsThatCameToLieOnEachOtherAreNoticed) {
+  ModelBuilder b;
+  for (const double x : {0.0, 1.0, 2.0, 3.0}) b.add_node({x, 0, 0}), b.add_node({x, 1, 0});
+  for (std::size_t k = 0; k < 6; k += 2)
+    b.add_face(NodeId(k), NodeId(k + 2), NodeId(k + 1)), b.add_face(NodeId(k + 1), NodeId(k + 2), NodeId(k + 3));
+  for (std::size_t k = 0; k < 6; k += 2) b.add_line(NodeId(k), NodeId(k + 2));
+  b.add_line(NodeId(0), NodeId(2));  // two on one edge, as an input may have them
+  const Model model = b.build();
+  HandMade as_it_was({model});
+  EXPECT_TRUE(findings(as_it_was).empty());
+  HandMade m({model});
+  m.final_complex.lines[1].ends = m.final_complex.lines[2].ends;
+  EXPECT_TRUE(says(findings(m), "are on the same nodes"));
+}
+
 TEST(ResultCheck, LongListsAreCutShortWithACount) {
   HandMade m({plate()});
   for (auto& v : m.final_complex.face) std::swap(v[0], v[1]);
