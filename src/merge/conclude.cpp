@@ -7,6 +7,7 @@
 #include "merge/fidelity.hpp"
 #include "merge/labels.hpp"
 #include "merge/ledger.hpp"
+#include "merge/near_misses.hpp"
 #include "merge/node_groups.hpp"
 #include "merge/outcome.hpp"
 #include "merge/overlaps.hpp"
@@ -60,13 +61,16 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   QualityVerdict quality;
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
+  std::vector<Warning> near_misses;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] { fidelity = fidelity_of(outcome, options.tolerance); },
                        [&] { coverage = coverage_of(outcome, options.tolerance); },
+                       [&] { near_misses = near_miss_warnings(outcome); },
                        [&] { quality = quality_of(outcome, bad, options.min_quality); },
                        [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
+  append(report.warnings, std::move(near_misses));
   report.quality = std::move(quality.summary);
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));

@@ -335,6 +335,18 @@ TEST(Merge, AnEndNearTheJunctionKeepsItsShape) {
   EXPECT_GE(m.report.quality.min, 0.5);
 }
 
+TEST(Merge, EdgesThatNearlyMeetAreNamed) {
+  // Two stiffeners, one of them short of the wall by less, or more, than a quarter of an edge; or standing off it.
+  const auto misses = [](double short_by) {
+    const std::vector<Model> both{stiffener(0.4, 1.6, 0.72, 0.3, 0.4), stiffener(0.4, 1.6, 1.12, -short_by, 0.4)};
+    const Merged m = merged(wall(), {scenes::together(both)});
+    return std::ranges::count(m.report.warnings, "near-miss", &Warning::name);
+  };
+  EXPECT_EQ(misses(0.02), 1);
+  EXPECT_EQ(misses(0.04), 0);
+  EXPECT_EQ(misses(0), 0);
+}
+
 TEST(Merge, PartsApartAreAnErrorUnlessAllowed) {
   const Model base = wall();
   const std::vector<Model> parts{stiffener(0.33, 1.61, 0.97, 0.31, 0.43), stiffener(0.3, 1.2, 0.5, -1, 1.5)};
