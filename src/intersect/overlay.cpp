@@ -46,6 +46,7 @@ class Overlayer {
     Contacts contacts = find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_, marks_.reach);
     if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
       return Overlaid{};
+    if (auto fault = find_two_layers(complex_, contacts)) return failed(std::move(*fault));
     out_.behind = take_out_behind(complex_, contacts);
     before_ = complex_.position, component_before_ = complex_.component;
 

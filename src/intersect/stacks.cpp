@@ -5,8 +5,10 @@
 #include <map>
 
 #include "core/distinct.hpp"
+#include "core/text.hpp"
 #include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
+#include "intersect/common_area.hpp"
 
 namespace meshgraft {
 namespace {
@@ -28,7 +30,44 @@ std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex
   return pairs;
 }
 
+bool are_neighbours(const Complex& complex, FaceId f, FaceId g) {
+  const auto &v = complex.face[f.value], &w = complex.face[g.value];
+  return std::ranges::find_first_of(v, w) != v.end();
+}
+
+bool lie_over_each_other(const Complex& complex, FaceId f, FaceId g) {
+  constexpr double kShare = 0.05;  // of the smaller area; facets of one curved surface have less in common
+  const Triangle t = complex.corners(f), u = complex.corners(g);
+  return area_of(part_over(u, t, 0)) > kShare * std::min(area(t), area(u));
+}
+
 }  // namespace
+
+std::optional<JunctionFault> find_two_layers(const Complex& complex, const Contacts& contacts) {
+  for (const std::size_t s : {0, 1}) {
+    std::map<FaceId, std::vector<FaceId>> on;  // by face of the other side
+    for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
+      if (contacts.on_each_other[i] != 0) on[contacts.pairs[i][1 - s]].push_back(contacts.pairs[i][s]);
+    for (const auto& [g, faces] : on)
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const FaceId a = faces[j], b = faces[i];
+          if (complex.component[a.value] != complex.component[b.value] || are_neighbours(complex, a, b) ||
+              !lie_over_each_other(complex, a, b))
+            continue;
+          const double apart = distance(centroid(complex.corners(b)),
+                                        closest_on_triangle(centroid(complex.corners(b)), complex.corners(a)).point);
+          return JunctionFault{ErrorCode::kOverlap,
+                               "two layers of one mesh, " + text_of(apart) + " apart, lie on one face of another",
+                               {complex.parent[a.value], complex.parent[b.value], complex.parent[g.value]},
+                               centroid(complex.corners(g)),
+                               "one plate cannot be one with both: give a --tolerance below its distance to the "
+                               "farther layer, or cut that "
+                               "layer off as a mesh of its own"};
+        }
+  }
+  return std::nullopt;
+}
 
 std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts) {
   std::vector<std::uint32_t> behind;

@@ -13,6 +13,10 @@ namespace meshgraft {
 ///   returns   their components, ascending: the largest, as what was laid on the first comes between
 [[nodiscard]] std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts);
 
+/// Faces of one component, not neighbours, that lie over each other on one face of the other side, as those of a
+/// U-profile over the edge of a plate: the plate cannot be one with both.
+[[nodiscard]] std::optional<JunctionFault> find_two_layers(const Complex& complex, const Contacts& contacts);
+
 /// Draws the side that goes towards the one that stays by what lay between them (Reach), where they
 /// are in contact: in its chart, not in the complex.
 void draw_together(LyingMeeting& lying);

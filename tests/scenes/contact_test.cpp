@@ -222,6 +222,27 @@ TEST(KeptContact, ToDeleteAWholePartIsRefused) {
   EXPECT_NE(merged.error().what.find("all 119 faces"), std::string::npos) << merged.error().what;
 }
 
+TEST(Stacks, AProfileWithBothLegsOverTheEdgeOfAPlateIsRefusedWithTheirDistance) {
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1, "PLATE", 0.15);
+  constexpr double kOff = 0.02;
+  scenes::Surface profile;  // a leg on each side of the plate, a web beyond its edge
+  profile.at = [](double u, double v) {
+    const double along = 7 * v, leg = std::min(along, 7 - along);
+    return Vec3{0.4 + 1.2 * u, 0.75 + 0.1 * std::min(leg, 3.0), along < 3.5 ? kOff : -kOff};
+  };
+  profile.nu = 12, profile.nv = 7, profile.group = "PROFILE";
+  const Model part = scenes::surface(profile);
+  MergeOptions options;
+  options.tolerance = {1.5 * kOff, false};
+  for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject, Overlap::kKeepBase, Overlap::kKeepPart}) {
+    options.overlap = overlap;
+    const auto merged = merge(plate, std::span(&part, 1), options);
+    ASSERT_FALSE(merged.has_value());
+    EXPECT_EQ(merged.error().code, ErrorCode::kOverlap);
+    EXPECT_NE(merged.error().what.find("two layers of one mesh, 0.04 apart"), std::string::npos) << merged.error().what;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
   std::string name = all_scenes()[scene.param].name;
   for (char& c : name)
