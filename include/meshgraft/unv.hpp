@@ -32,7 +32,8 @@ struct ReadOptions {
 /// Writes base + graft: the base's text with the changed records replaced, new records at the end
 /// of the last node, element and group dataset, entities of the parts after those of the base.
 /// `report` receives bytes untouched and the fate of datasets. Datasets of parts that cannot go
-/// into the file are written to `path` + ".carry".
+/// into the file are written to `path` + ".carry"; one of an earlier run goes if there are none.
+/// Error kCannotWrite also where that name is taken by another file.
 [[nodiscard]] Result<void> write_unv(const Model& base, std::span<const Model> parts, const Merged& merged,
                                      const std::string& path, Report& report);
 

@@ -11,6 +11,7 @@
 #include "cli/deferred_signals.hpp"
 #include "cli/outputs.hpp"
 #include "io/atomic_output.hpp"
+#include "io/side_file.hpp"
 #include "merge/stopwatch.hpp"
 #include "meshgraft/unv.hpp"
 
@@ -18,8 +19,6 @@ namespace meshgraft::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kCarry = ".carry";  // the side file of write_unv
 
 /// A mesh and its side file under a name of their own, until they are renamed or dropped.
 class StagedMesh {
@@ -31,17 +30,19 @@ class StagedMesh {
   ~StagedMesh() {
     std::error_code ignored;
     fs::remove(staged_, ignored);
-    fs::remove(staged_ + kCarry, ignored);
+    fs::remove(side_path(staged_), ignored);
   }
 
   [[nodiscard]] const std::string& path() const { return staged_; }
 
   Result<void> publish() {
     std::error_code error, ignored;
-    const bool has_carry = fs::exists(staged_ + kCarry, ignored);
-    if (has_carry) fs::rename(staged_ + kCarry, target_ + kCarry, error);
+    const bool has_side_file = fs::exists(side_path(staged_), ignored);
+    const bool taken = is_side_path_taken(target_);
+    if (has_side_file && taken) error = std::make_error_code(std::errc::file_exists);
+    if (!error && has_side_file) fs::rename(side_path(staged_), side_path(target_), error);
     if (!error) fs::rename(staged_, target_, error);
-    if (!error && !has_carry) fs::remove(target_ + kCarry, ignored);  // of an earlier run, as write_unv does
+    if (!error && !has_side_file && !taken) fs::remove(side_path(target_), ignored);  // as write_unv does
     if (!error) return {};
     return failure(ErrorCode::kCannotWrite, fmt::format("the finished file cannot be put there: {}", error.message()),
                    "choose another name or directory", {target_, 0});

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "cli/print.hpp"
+#include "io/side_file.hpp"
 
 namespace meshgraft::cli {
 namespace {
@@ -151,7 +152,7 @@ std::string other_data(const Report& report, const MergeArguments& arguments) {
   std::string text;
   for (const auto& [fate, n] : fates)
     text += fmt::format("{}{}: {}", text.empty() ? "" : "\n", counted(n, "dataset", "datasets"), fate);
-  if (fates.contains(kSideFile)) text += fmt::format(" {}.carry", printable(arguments.output));
+  if (fates.contains(kSideFile)) text += fmt::format(" {}", printable(side_path(arguments.output)));
   return text;
 }
 

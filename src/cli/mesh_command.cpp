@@ -12,6 +12,7 @@
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
 #include "io/digest.hpp"
+#include "io/side_file.hpp"
 #include "meshgraft/unv.hpp"
 
 namespace meshgraft::cli {
@@ -22,10 +23,16 @@ constexpr double kReadShare = 0.3, kWorkShare = 0.6;
 
 Result<void> check_files(const MeshCommand& command, const MergeArguments& arguments) {
   std::vector<NamedFile> outputs{{"-o", arguments.output}};
-  outputs.push_back({"the side file of -o", arguments.output + ".carry"});
+  const NamedFile side{"the side file of -o", side_path(arguments.output)};
+  outputs.push_back(side);
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
   if (const auto known = writable_format(arguments.output); !known) return known;
-  return check_outputs(command.inputs, outputs);
+  if (const auto good = check_outputs(command.inputs, outputs); !good) return good;
+  if (!is_side_path_taken(arguments.output)) return {};
+  return failure(
+      ErrorCode::kCannotWrite,
+      fmt::format("is there and no file of meshgraft; a merge puts {} there or removes an old one", side.role),
+      "move it away, or give another name to -o", {side.path, 0});
 }
 
 Result<std::vector<Model>> read(const MeshCommand& command, const Common& common, const Stopwatch::Progress& show) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "io/coordinate_systems.hpp"
+#include "io/side_file.hpp"
 #include "io/splice_context.hpp"
 
 namespace meshgraft::unv {
@@ -70,6 +71,7 @@ void splice_datasets(Splice& s) {
       if (same_as_base(*s.models.front(), d, dataset)) {
         s.report.datasets.push_back(entry(k, d, dataset, "same as base"));
       } else if (changed || holds_systems(dataset)) {  // labels of systems may be those of the base
+        if (s.side_file.empty()) s.side_file += kSideFileMark, s.side_file += s.line_end();
         s.side_file += "input " + std::to_string(k) + ", " + d.path() + ", line " +
                        std::to_string(d.line_of(dataset.number_line)) + ": dataset " + number_of(dataset);
         s.side_file += s.line_end();

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include "io/atomic_output.hpp"
+#include "io/side_file.hpp"
 #include "io/unv_document.hpp"
 #include "io/unv_splice.hpp"
 #include "io/unv_writer.hpp"
@@ -34,23 +35,26 @@ Result<void> write_unv(const Model& base, std::span<const Model> parts, const Me
                        Report& report) {
   const auto spliced = unv::SplicedText::make(base, parts, merged, report);
   if (!spliced) return Failure(spliced.error());
+  const std::string beside = side_path(path);
+  const bool taken = is_side_path_taken(path);
+  if (taken && !spliced->side_file().empty())
+    return failure(ErrorCode::kCannotWrite, "is there and no side file of meshgraft, so that it is not replaced",
+                   "move it away, or choose another output", {beside, 0});
   auto output = AtomicOutput::create(path);
   if (!output) return Failure(output.error());
   if (auto done = output->write(spliced->pieces); !done) return done;
 
-  // The side file of an earlier run would not belong to the new output.
-  const std::string side_path = path + ".carry";
   if (spliced->side_file().empty()) {
     if (auto done = output->commit(); !done) return done;
-    ::unlink(side_path.c_str());
+    if (!taken) ::unlink(beside.c_str());  // of an earlier run: it would not belong to the new output
     return {};
   }
-  auto side = AtomicOutput::create(side_path);
+  auto side = AtomicOutput::create(beside);
   if (!side) return Failure(side.error());
   if (auto done = side->write(spliced->side_file()); !done) return done;
   if (auto done = side->commit(); !done) return done;
   if (auto done = output->commit(); !done) {
-    ::unlink(side_path.c_str());
+    ::unlink(beside.c_str());
     return done;
   }
   return {};

@@ -114,6 +114,39 @@ TEST(OutputDirectory, IsCheckedBeforeTheInputsAreRead) {
                    {"no/such/r.json", "[cannot-write]"});
 }
 
+TEST(NameOfTheSideFile, IsNotTakenFromAFileOfTheUser) {
+  const Folder folder;
+  folder.put_plates();
+  folder.put("out.unv.carry", kOld);
+  const std::vector<std::string> before = folder.files();
+  const Outcome outcome = folder.run({"merge", "base.unv", "part.unv", "-o", "out.unv"});
+  EXPECT_EQ(outcome.code, 5) << outcome.err;
+  EXPECT_NE(outcome.err.find("out.unv.carry: error [cannot-write]"), std::string::npos) << outcome.err;
+  EXPECT_EQ(folder.text("out.unv.carry"), kOld);
+  EXPECT_EQ(folder.files(), before);
+}
+
+TEST(SideFile, OfAnEarlierRunIsReplacedOrRemoved) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--report", "r.json"}}) {
+    const Folder folder;
+    folder.put_plates();
+    folder.put("loaded.unv",
+               folder.text("part.unv") + "    -1\n   757\n         1\nDOF\n         1         1\n    -1\n");
+    const auto merge = [&](const std::string& part) {
+      std::vector<std::string> arguments{"merge", "base.unv", part, "-o", "out.unv"};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return folder.run(arguments).code;
+    };
+    ASSERT_EQ(merge("loaded.unv"), 0);
+    EXPECT_NE(folder.text("out.unv.carry").find("DOF"), std::string::npos);
+    const std::string first = folder.text("out.unv.carry");
+    ASSERT_EQ(merge("loaded.unv"), 0);
+    EXPECT_EQ(folder.text("out.unv.carry"), first);
+    ASSERT_EQ(merge("part.unv"), 0);
+    EXPECT_FALSE(folder.has("out.unv.carry"));
+  }
+}
+
 TEST(Permissions, AreRespected) {
   if (::geteuid() == 0) GTEST_SKIP() << "root may read and write everything";
   const Folder folder;

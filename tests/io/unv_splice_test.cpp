@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "io/grafts.hpp"
 #include "io/unv_samples.hpp"
@@ -281,6 +282,15 @@ TEST(UnvSplice, DatasetsOfPartsAreCopiedOrPutAside) {
   EXPECT_TRUE(side_text && side_text->ends_with(own)) << *side_text;
   ASSERT_TRUE(write_unv(base, {}, nothing(base), path, shifted));
   EXPECT_FALSE(std::filesystem::exists(path + ".carry")) << "it belonged to the output before";
+
+  std::ofstream(path + ".carry") << "mine\n";
+  ASSERT_TRUE(write_unv(base, {}, nothing(base), path, shifted));
+  EXPECT_TRUE(std::filesystem::exists(path + ".carry")) << "not written by us";
+  const auto refused = write_unv(base, {&part, 1}, merged, path, shifted);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kCannotWrite);
+  EXPECT_EQ(std::filesystem::file_size(path + ".carry"), 5u);
+  std::filesystem::remove(path + ".carry");
   std::filesystem::remove(path);
 }
 
