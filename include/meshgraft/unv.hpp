@@ -12,7 +12,8 @@
 namespace meshgraft {
 
 struct ReadOptions {
-  unsigned threads = 0;  // 0 = all cores; the result does not depend on it
+  unsigned threads = 0;   // 0 = all cores; the result does not depend on it
+  bool unclosed = false;  // take a file that ends without its last delimiter, with a warning: it may lack its end
 };
 
 /// Reads a universal file. The file stays mapped as long as Model::source lives.

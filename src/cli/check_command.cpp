@@ -79,7 +79,7 @@ ExitCode run(const CheckArguments& arguments) {
   const bool quiet = arguments.common.talk == Talk::kQuiet;
   Progress progress(!quiet);
   progress.show("reading", 0);
-  const auto model = read_unv(arguments.file, {.threads = arguments.common.threads});
+  const auto model = read_unv(arguments.file, {.threads = arguments.common.threads, .unclosed = true});
   progress.clear();
   if (!model) return failed(model.error());
   if (!quiet) print_warnings(model->warnings, arguments.common.talk);

@@ -20,7 +20,7 @@ ExitCode run(const ConvertArguments& arguments) {
 
   Progress progress(!quiet);
   progress.show("reading", 0);
-  const auto model = read_unv(arguments.input, {.threads = arguments.common.threads});
+  const auto model = read_unv(arguments.input, {.threads = arguments.common.threads, .unclosed = true});
   progress.clear();
   if (!model) return failed(model.error());
   print_warnings(model->warnings, arguments.common.talk);

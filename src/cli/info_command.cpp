@@ -150,7 +150,7 @@ void print_datasets(const Model& model) {
 ExitCode run(const InfoArguments& arguments) {
   Progress progress(true);
   progress.show("reading", 0);
-  const auto model = read_unv(arguments.file, {.threads = arguments.common.threads});
+  const auto model = read_unv(arguments.file, {.threads = arguments.common.threads, .unclosed = true});
   progress.clear();
   if (!model) return failed(model.error());
   print_warnings(model->warnings, arguments.common.talk);

@@ -25,7 +25,7 @@ constexpr std::int64_t kModelHeader = 2400, kUnits = 164;
 
 class Reader {
  public:
-  explicit Reader(Document& document) : d_(document) {}
+  Reader(Document& document, bool unclosed) : d_(document), unclosed_(unclosed) {}
 
   tl::expected<Model, Fault> read() {
     model_.path = d_.path();
@@ -48,6 +48,7 @@ class Reader {
       if (d_.datasets[k].kind() == DatasetKind::kGroups)
         if (auto done = checked(d_.datasets[k], read_groups(d_, k, nodes_, elements_, model_, model_.warnings)); !done)
           return tl::unexpected(done.error());
+    if (!unclosed_ && !d_.datasets.back().closed) return tl::unexpected(without_end());
     warn_about_labels(model_.node_label, model_.node_place, "node");
     warn_about_labels(model_.element_label, model_.element_place, "element");
     collect_systems();
@@ -56,6 +57,14 @@ class Reader {
   }
 
  private:
+  /// Some programs leave out the last delimiter, but a file that was cut between two records looks the same.
+  [[nodiscard]] Fault without_end() const {
+    return {ErrorCode::kTruncated, d_.lines.text.size() - 1,
+            "the file ends inside dataset " + std::to_string(d_.datasets.back().number) +
+                ", which has no closing delimiter; whether more followed cannot be known",
+            std::string(kExportAgain) + "; if it is known to be whole, add a line '    -1' at its end"};
+  }
+
   /// A fault in the last line of a file without its last delimiter means that the file was cut; and
   /// a last line without line end must at least be as long as such lines are.
   tl::expected<void, Fault> checked(const Dataset& dataset, tl::expected<void, Fault> done) const {
@@ -260,6 +269,7 @@ class Reader {
   }
 
   Document& d_;
+  bool unclosed_;
   Model model_;
   LabelIndex nodes_, elements_;
   NamedSystems named_systems_;
@@ -267,7 +277,7 @@ class Reader {
 
 Result<Model> read_document(std::shared_ptr<Document> document, const ReadOptions& options) {
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
-  auto model = arena.execute([&] { return Reader(*document).read(); });
+  auto model = arena.execute([&] { return Reader(*document, options.unclosed).read(); });
   if (!model) return Failure(document->error(model.error()));
   std::ranges::stable_sort(model->warnings, {}, [](const Warning& w) { return w.place.line; });
   model->source = std::move(document);

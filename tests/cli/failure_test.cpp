@@ -63,6 +63,31 @@ TEST(TruncatedInput, IsRefusedWithItsLine) {
   expect_no_output({"merge", "cut.unv", "part.unv", "-o", "out.unv"}, 3, {"cut.unv:", "error ["});
 }
 
+TEST(InputWithoutItsLastDelimiter, IsMergedByNoCommandButDescribed) {
+  const Folder folder;
+  folder.put_plates();
+  const std::string text = folder.text("base.unv");
+  folder.put("cut.unv", text.substr(0, text.find("    -1\n", text.find("  2412\n"))));
+  const std::vector<std::string> before = folder.files();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"merge", "cut.unv", "part.unv", "-o", "o.unv"},
+        {"merge", "part.unv", "cut.unv", "-o", "o.unv"},
+        {"cut", "cut.unv", "--plane", "0.5,0,0,1,0,0", "--drop", "inside", "-o", "o.unv"},
+        {"fill", "cut.unv", "--contour", "1", "-o", "o.unv"}}) {
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("error [truncated]"), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.files(), before);
+  }
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"info", "cut.unv"}, {"check", "cut.unv"}, {"convert", "cut.unv", "copy.unv"}}) {
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("warning [missing-delimiter]"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder.text("copy.unv"), folder.text("cut.unv"));
+}
+
 TEST(PartThatMeetsNothing, IsNamedWithExitCode4) {
   expect_no_output({"merge", "base.unv", "far.unv", "-o", "out.unv"}, 4, {"far.unv", "[parts-apart]"});
   expect_no_output({"merge", "base.unv", "part.unv", "far.unv", "-o", "out.unv"}, 4, {"far.unv", "[parts-apart]"});

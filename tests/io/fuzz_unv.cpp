@@ -15,7 +15,7 @@
 /// Whatever the bytes are: no crash, and what can be read is written back as it was.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  const auto model = meshgraft::read_unv_text(text, "fuzz.unv", {1});
+  const auto model = meshgraft::read_unv_text(text, "fuzz.unv", {.threads = 1, .unclosed = true});
   if (!model) return 0;
   const auto written = meshgraft::unv_text(*model);
   if (!written || *written != text) std::abort();

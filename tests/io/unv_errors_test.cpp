@@ -48,7 +48,7 @@ TEST(UnvErrors, EveryCutInsideTheMeshIsNoticed) {
   const std::string text = mesh();
   const Model whole = read(text);
   for (std::size_t n = 0; n < text.size(); ++n) {
-    const auto model = read_unv_text(text.substr(0, n), "cut.unv");
+    const auto model = read_unv_text(text.substr(0, n), "cut.unv", {.unclosed = true});
     if (!model) continue;
     EXPECT_FALSE(model->warnings.empty() && n + 1 < text.size() && model->groups.size() == 2) << n;
     // What is there is whole: no record was cut.
@@ -59,6 +59,18 @@ TEST(UnvErrors, EveryCutInsideTheMeshIsNoticed) {
       EXPECT_EQ(model->groups[g].n_elements + model->groups[g].n_nodes,
                 whole.groups[g].n_elements + whole.groups[g].n_nodes)
           << n;
+  }
+}
+
+TEST(UnvErrors, EveryCutInsideADatasetIsAnErrorUnlessUnclosedFilesAreTaken) {
+  std::string before;
+  for (const auto& [number, records] : {std::pair{"2411", kNodes}, {"2412", kElements}, {"2467", kGroups}}) {
+    const std::string open = before + opening(number), whole = before + dataset(number, records);
+    const std::size_t line_end = 1;
+    for (std::size_t n = open.size(); n + line_end < whole.size(); ++n)
+      EXPECT_FALSE(read_unv_text(whole.substr(0, n), "cut.unv")) << number << ", " << n;
+    EXPECT_TRUE(read_unv_text(whole, "cut.unv")) << number;
+    before = whole;
   }
 }
 

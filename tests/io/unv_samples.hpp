@@ -71,8 +71,8 @@ inline std::string replaced(const std::string& text, std::string_view what, std:
 }
 
 /// Reads and insists that writing gives the same bytes.
-inline Model read(const std::string& text) {
-  auto model = read_unv_text(text, "sample.unv");
+inline Model read(const std::string& text, const ReadOptions& options = {}) {
+  auto model = read_unv_text(text, "sample.unv", options);
   EXPECT_TRUE(model) << (model ? "" : to_string(model.error()));
   if (!model) return {};
   EXPECT_EQ(unv_text(*model), text);

@@ -112,7 +112,7 @@ TEST(UnvSplice, LinesOfAGroupOfWhichNothingGoesStayAsTheyAre) {
 TEST(UnvSplice, NewRecordsGoBeforeAMissingDelimiterAndLineEnd) {
   std::string text = dataset("2411", kNodes) + dataset("2467", kGroups) + opening("2412") + kElements;
   text.pop_back();
-  const Model base = read(text);
+  const Model base = read(text, {.unclosed = true});
   Report report;
   const auto model = read_unv_text(spliced(base, {}, small_graft(base), report), "out");
   ASSERT_TRUE(model);

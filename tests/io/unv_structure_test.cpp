@@ -50,14 +50,18 @@ TEST(UnvStructure, TextBetweenDatasetsIsKeptAndWarnedAbout) {
 
 TEST(UnvStructure, TextAfterTheDatasetNumber) { expect_mesh(read(replaced(mesh(), "  2411\n", "  2411   %NODES\n"))); }
 
-TEST(UnvStructure, MissingLastDelimiter) {
-  std::string text = mesh();
-  text.resize(text.size() - 7);
-  const Model m = read(text);
-  expect_mesh(m);
-  EXPECT_TRUE(warns(m, "missing-delimiter"));
-  text.pop_back();  // and no line end either
-  expect_mesh(read(text));
+TEST(UnvStructure, MissingLastDelimiterMayBeACutAndIsTakenOnlyWhereAllowed) {
+  const std::string closing = "    -1\n";
+  for (const std::string& last : {mesh(), mesh() + dataset("757", line({1}) + "DOF\n")})
+    for (const std::size_t cut : {closing.size(), closing.size() + 1}) {  // with a line end, and without
+      const std::string text = last.substr(0, last.size() - cut);
+      const Model m = read(text, {.unclosed = true});
+      expect_mesh(m);
+      EXPECT_TRUE(warns(m, "missing-delimiter"));
+      const Error e = error_of(text);
+      EXPECT_EQ(e.code, ErrorCode::kTruncated);
+      EXPECT_EQ(e.place.line, static_cast<std::uint64_t>(std::ranges::count(last, '\n')) - 1);
+    }
 }
 
 TEST(UnvStructure, OneDelimiterBetweenTwoDatasets) {
