@@ -53,6 +53,11 @@ bool continues_group(const LineScanner& lines, std::size_t at, std::size_t limit
 
 }  // namespace
 
+bool looks_like_entities(const LineScanner& lines, const Line& line, GroupLayout layout) {
+  std::vector<std::int64_t> values;
+  return parse_integers(lines.view(line), values) != Cut::kNone && is_entity_line(values, layout);
+}
+
 std::size_t entities_per_line(GroupLayout layout) { return kLineColumns / kIntegerWidth / layout.entity_size; }
 
 tl::expected<void, Fault> group_record(const LineScanner& lines, std::size_t begin, std::size_t limit,
@@ -98,7 +103,7 @@ tl::expected<void, Fault> group_record(const LineScanner& lines, std::size_t beg
     take(values, layout, record.entities);
     at = line.next;
   }
-  if (record.entities.size() >= declared && declared > 0) {
+  if (record.entities.size() >= declared) {
     for (std::size_t next = skip_blank_lines(lines, at, limit);
          next < limit && continues_group(lines, next, limit, layout, values);
          next = skip_blank_lines(lines, at, limit)) {

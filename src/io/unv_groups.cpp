@@ -228,6 +228,8 @@ std::size_t oddities(const Document& d, const Dataset& dataset, GroupLayout layo
     if (!group_record(d.lines, at, dataset.body_end, layout, record)) return kBroken;
     if (!record.count_is_right() && !own) return kBroken;
     found += (record.count_is_right() ? 0 : 1) + (record.header.size() == layout.header_fields ? 0 : 1);
+    // In another layout, entities of a group that declares too few would pass for empty groups.
+    found += looks_like_entities(d.lines, record.name_line, group_layout_of(dataset.number)) ? 1 : 0;
     for (const Entity& e : record.entities) {
       std::uint32_t position = 0;
       const Member kind = resolve(e.code, e.tag, position);

@@ -42,6 +42,8 @@ struct RegularGroup {
 /// The same for a group that looks regular; false otherwise. The entity lines are not looked at.
 [[nodiscard]] bool regular_group(const Document& document, std::size_t begin, std::size_t limit, GroupLayout layout,
                                  RegularGroup& group);
+/// Whether a line holds whole entities with codes that exist, and nothing else.
+[[nodiscard]] bool looks_like_entities(const LineScanner& lines, const Line& line, GroupLayout layout);
 /// Columns of a full line of entities: 80.
 [[nodiscard]] std::size_t entities_per_line(GroupLayout layout);
 

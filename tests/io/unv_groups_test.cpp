@@ -114,12 +114,36 @@ TEST(UnvGroups, TrailingBlanksOfNamesAreNotPartOfThem) {
 
 TEST(UnvGroups, WrongCountsAreRepairedWithAWarning) {
   const std::string entities = line({8, 1, 0, 0, 8, 2, 0, 0}) + line({8, 3, 0, 0});
-  for (const int declared : {2, 4, 5}) {
+  for (const int declared : {0, 2, 4, 5}) {
     const Model m = with_groups(line({1, 0, 0, 0, 0, 0, 0, declared}) + "WRONG\n" + entities + kGroups);
     ASSERT_EQ(m.groups.size(), 3u) << declared;
     EXPECT_EQ(elements_in(m, 0), (Labels{1, 2, 3})) << declared;
     EXPECT_EQ(elements_in(m, 1), (Labels{1, 2})) << declared;
     EXPECT_TRUE(warns(m, "group-count"));
+  }
+}
+
+TEST(UnvGroups, EntitiesOfAGroupThatDeclaresNoneAreNoGroupsOfTheirOwn) {
+  std::string entities;
+  for (int k = 0; k < 4; ++k) entities += line({8, 1, 0, 0, 7, 2, 0, 0});
+  for (const std::string& before : {kGroups, std::string()})
+    for (const std::string& last : {std::string(), line({8, 5, 0, 0})}) {
+      const Model m = with_groups(before + line({3, 0, 0, 0, 0, 0, 0, 0}) + "NONE\n" + entities + last);
+      ASSERT_EQ(m.groups.size(), before.empty() ? 1u : 3u);
+      EXPECT_EQ(m.groups.back().n_elements, last.empty() ? 4u : 5u);
+      EXPECT_EQ(m.groups.back().n_nodes, 4u);
+      EXPECT_TRUE(warns(m, "group-count"));
+    }
+}
+
+TEST(UnvGroups, EmptyGroupsBeforeHeadersThatLookLikeEntities) {
+  const std::string empty = line({3, 0, 0, 0, 0, 0, 0, 0}) + "NONE\n";
+  for (const std::string name : {"FIXED", "17", "8 1"}) {
+    const Model m = with_groups(empty + line({2, 0, 0, 0, 3, 0, 0, 1}) + name + "\n" + line({8, 1, 0, 0}) + kGroups);
+    ASSERT_EQ(m.groups.size(), 4u) << name;
+    EXPECT_EQ(m.groups[0].n_elements, 0u);
+    EXPECT_EQ(m.groups[1].name, name);
+    EXPECT_FALSE(warns(m, "group-count"));
   }
 }
 
