@@ -12,6 +12,7 @@ Ground::Ground(Inputs inputs, Merged& merged)
     report.inputs.push_back(counts_of(*model));
     report.warnings.insert(report.warnings.end(), model->warnings.begin(), model->warnings.end());
   }
+  report.warnings.insert(report.warnings.end(), table.warnings.begin(), table.warnings.end());
   merged.graft.groups = table.groups;
 }
 

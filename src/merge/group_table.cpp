@@ -1,15 +1,26 @@
 #include "merge/group_table.hpp"
 
 #include <map>
-#include <optional>
 #include <string>
+
+#include "core/source.hpp"
 
 namespace meshgraft {
 namespace {
 
-bool same_kind(const Group& a, const Group& b) {
-  const bool a_empty = a.n_nodes + a.n_elements == 0, b_empty = b.n_nodes + b.n_elements == 0;
-  return a_empty || b_empty || ((a.n_nodes > 0) == (b.n_nodes > 0) && (a.n_elements > 0) == (b.n_elements > 0));
+constexpr unsigned kNodes = 1, kElements = 2, kOther = 4;
+
+/// What a group has members of, as bits; 0 if it has none.
+unsigned kinds_of(const Group& group) {
+  return (group.n_nodes > 0 ? kNodes : 0) | (group.n_elements > 0 ? kElements : 0) | (group.n_other > 0 ? kOther : 0);
+}
+
+std::string text_of(unsigned kinds) {
+  std::vector<std::string> names;
+  if ((kinds & kNodes) != 0) names.emplace_back("nodes");
+  if ((kinds & kElements) != 0) names.emplace_back("elements");
+  if ((kinds & kOther) != 0) names.emplace_back("other things");
+  return joined(names);
 }
 
 class Builder {
@@ -26,24 +37,32 @@ class Builder {
     const std::vector<Group>& groups = inputs_[k]->groups;
     table_.of_input[k].resize(groups.size());
     std::vector<bool> placed(groups.size(), k == 0);
-    // Groups of the right kind choose first, so that a mixed pair of names keeps its order.
-    for (const bool strict : {true, false})
+    // Groups of the same kinds choose first, so that a mixed pair of names keeps its order.
+    for (const Match match : {Match::kSame, Match::kCommon, Match::kEmpty})
       for (std::size_t g = 0; g < groups.size() && k > 0; ++g)
-        if (!placed[g]) placed[g] = unite(k, GroupId(g), strict);
+        if (!placed[g]) placed[g] = unite(k, GroupId(g), match);
     for (std::size_t g = 0; g < groups.size(); ++g)
       if (k == 0 || !placed[g]) append(k, GroupId(g));
   }
 
-  bool unite(std::uint32_t k, GroupId g, bool strict) {
+  enum class Match { kSame, kCommon, kEmpty };
+  static bool is(Match match, unsigned a, unsigned b) {
+    if (match == Match::kSame) return a == b;
+    return match == Match::kCommon ? (a & b) != 0 : a == 0 || b == 0;
+  }
+
+  bool unite(std::uint32_t k, GroupId g, Match match) {
     const Group& group = inputs_[k]->groups[g.value];
     const auto found = by_name_.find(group.name);
     if (found == by_name_.end()) return false;
+    const unsigned kinds = kinds_of(group);
     for (const GroupId candidate : found->second) {
       MergedGroup& merged = table_.groups[candidate.value];
-      const MergedGroup::From first = merged.from.front();
-      if (merged.from.back().input == k) continue;
-      if (strict && !same_kind(group, inputs_[first.input]->groups[first.group.value])) continue;
-      merged.from.push_back({k, g});
+      unsigned& of_merged = kinds_[candidate.value];
+      if (merged.from.back().input == k || !is(match, kinds, of_merged)) continue;
+      if (match == Match::kCommon && kinds != of_merged)
+        warn(k, group, of_merged, merged, "; they are one group of both");
+      merged.from.push_back({k, g}), of_merged |= kinds;
       table_.of_input[k][g.value] = candidate;
       return true;
     }
@@ -51,15 +70,30 @@ class Builder {
   }
 
   void append(std::uint32_t k, GroupId g) {
-    const std::string& name = inputs_[k]->groups[g.value].name;
+    const Group& group = inputs_[k]->groups[g.value];
     const GroupId id(table_.groups.size());
-    table_.groups.push_back({name, {{k, g}}});
+    std::vector<GroupId>& same_name = by_name_[group.name];
+    for (const GroupId other : same_name) {
+      const MergedGroup& merged = table_.groups[other.value];
+      if (merged.from.back().input == k) break;  // this input has two of that name itself
+      warn(k, group, kinds_[other.value], merged, "; they stay two groups of one name, which some programs refuse");
+    }
+    table_.groups.push_back({group.name, {{k, g}}});
     table_.of_input[k][g.value] = id;
-    by_name_[name].push_back(id);
+    kinds_.push_back(kinds_of(group)), same_name.push_back(id);
+  }
+
+  void warn(std::uint32_t k, const Group& group, unsigned of_merged, const MergedGroup& merged, const char* outcome) {
+    const Model& model = *inputs_[k];
+    table_.warnings.push_back({"group-kinds",
+                               "group " + group.name + " is of " + text_of(kinds_of(group)) + " here and of " +
+                                   text_of(of_merged) + " in " + inputs_[merged.from.front().input]->path + outcome,
+                               {model.path, model.source ? model.source->line_of(group.place) : 0}});
   }
 
   Inputs inputs_;
   GroupTable table_;
+  std::vector<unsigned> kinds_;  // by merged group
   std::map<std::string, std::vector<GroupId>> by_name_;
 };
 

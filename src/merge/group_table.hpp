@@ -11,13 +11,16 @@ namespace meshgraft {
 struct GroupTable {
   std::vector<MergedGroup> groups;             // the base's, then what the parts add, in file order
   std::vector<std::vector<GroupId>> of_input;  // [input][group of it]: the merged group
+  std::vector<Warning> warnings;               // group-kinds: groups of one name but not of one kind
 };
 
-/// Unites groups of one name across inputs: the same name usually means the same thing.
+/// Unites groups of one name and kind across inputs: these usually mean the same thing. Kinds of members are nodes,
+/// elements, and what a format has besides; a group may be of several, and an empty one is of any.
 ///
 ///  (1) Groups of one input are never united with each other, whatever their names.
-///  (2) A group of a part joins the first merged group of its name that holds the same kind of
-///      member (nodes or elements); failing that, the first of its name; failing that, it is new.
+///  (2) A group of a part joins the first merged group of its name that is of the same kinds; failing that, the first
+///      that has a kind in common, with a warning; failing that, the first that is empty, or any if it is empty itself.
+///  (3) Else it is new, with a warning if another input has the name: nodes never get into a group of elements.
 [[nodiscard]] GroupTable group_table(Inputs inputs);
 
 /// Group sets of the inputs as sets of merged groups; each is translated once, on demand. Where

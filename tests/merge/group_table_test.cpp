@@ -43,10 +43,40 @@ TEST(GroupTable, NodeAndElementGroupsOfOneNameInOneInputStayTwo) {
   EXPECT_EQ(table.of_input[1][1], GroupId(std::size_t{0}));  // nodes to nodes
 }
 
-TEST(GroupTable, OneNameNeverComesTwiceBecauseOnlyTheKindDiffers) {
-  const Model base = with_groups({group("A", 3, 0)});
-  const Model part = with_groups({group("A", 0, 1)});
-  EXPECT_EQ(group_table(std::array{&base, &part}).groups.size(), 1u);
+TEST(GroupTable, NodesAndElementsOfOneNameInTwoInputsStayTwoGroupsWithAWarning) {
+  for (const bool nodes_first : {true, false}) {
+    const Model base = with_groups({nodes_first ? group("A", 3, 0) : group("A", 0, 3)});
+    const Model part = with_groups({nodes_first ? group("A", 0, 1) : group("A", 1, 0)});
+    const GroupTable table = group_table(std::array{&base, &part});
+    EXPECT_EQ(table.groups.size(), 2u);
+    ASSERT_EQ(table.warnings.size(), 1u);
+    EXPECT_EQ(table.warnings[0].name, "group-kinds");
+  }
+}
+
+TEST(GroupTable, MixedGroupJoinsWhatHasAKindInCommonWithAWarning) {
+  const Model base = with_groups({group("A", 3, 0), group("B", 2, 2)});
+  const Model part = with_groups({group("A", 1, 1), group("B", 0, 1)});
+  const GroupTable table = group_table(std::array{&base, &part});
+  EXPECT_EQ(table.groups.size(), 2u);
+  EXPECT_EQ(table.warnings.size(), 2u);
+}
+
+TEST(GroupTable, GroupThatWasJoinedByAnotherKindIsOfBoth) {
+  const Model base = with_groups({group("A", 0, 0)});
+  const Model nodes = with_groups({group("A", 2, 0)}), elements = with_groups({group("A", 0, 2)});
+  const GroupTable table = group_table(std::array{&base, &nodes, &elements});
+  ASSERT_EQ(table.groups.size(), 2u);
+  EXPECT_EQ(table.groups[0].from.size(), 2u) << "an empty group is of any kind, but only once";
+  EXPECT_EQ(table.warnings.size(), 1u);
+}
+
+TEST(GroupTable, GroupsOfOneKindNeedNoWarning) {
+  const Model base = with_groups({group("A", 3, 0), group("A", 0, 2), group("B", 1, 1), group("C", 0, 0)});
+  const Model part = with_groups({group("A", 0, 1), group("B", 2, 2), group("C", 1, 0), group("A", 1, 0)});
+  const GroupTable table = group_table(std::array{&base, &part});
+  EXPECT_EQ(table.groups.size(), 4u);
+  EXPECT_TRUE(table.warnings.empty());
 }
 
 TEST(GroupTable, EqualNamesWithinTheBaseStayApart) {
