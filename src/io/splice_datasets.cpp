@@ -1,9 +1,11 @@
 // Datasets that are not understood: those of the base stay, those of the parts are copied if they
-// can be, else they go to the side file. Each gets an entry in the report.
+// can be, else they go to the side file. Each gets an entry in the report. Tables of properties name no labels, so that
+// they are copied where the output has none of that number yet, also where labels changed.
 #include <algorithm>
 #include <array>
 
 #include "io/coordinate_systems.hpp"
+#include "io/property_tables.hpp"
 #include "io/side_file.hpp"
 #include "io/splice_context.hpp"
 
@@ -52,6 +54,35 @@ void append_dataset(const Splice& s, const Document& d, const Dataset& dataset, 
   s.close_dataset(text);
 }
 
+void put_aside(Splice& s, std::uint32_t k, const Dataset& dataset) {
+  const Document& d = *s.documents[k];
+  if (s.side_file.empty()) s.side_file += kSideFileMark, s.side_file += s.line_end();
+  s.side_file += "input " + std::to_string(k) + ", " + d.path() + ", line " +
+                 std::to_string(d.line_of(dataset.number_line)) + ": dataset " + number_of(dataset);
+  s.side_file += s.line_end();
+  append_dataset(s, d, dataset, s.side_file);
+}
+
+/// What becomes of a dataset of a part.
+enum class Fate : std::uint8_t { kKept, kSame, kAside };
+
+const char* name(Fate fate) {
+  switch (fate) {
+    case Fate::kKept:
+      return "kept";
+    case Fate::kSame:
+      return "same as base";
+    case Fate::kAside:
+      break;
+  }
+  return "side file";
+}
+
+Fate fate_of(PropertyTables::Fate fate) {
+  if (fate == PropertyTables::Fate::kDiffers) return Fate::kAside;
+  return fate == PropertyTables::Fate::kNew ? Fate::kKept : Fate::kSame;
+}
+
 }  // namespace
 
 void splice_datasets(Splice& s) {
@@ -62,26 +93,23 @@ void splice_datasets(Splice& s) {
     s.report.datasets.push_back(
         entry(0, s.base(), dataset, stale ? "kept, stale: may name nodes or elements that were removed" : "kept"));
   }
+  PropertyTables tables(s.models, s.documents);
   TextPieces copies;
   for (std::uint32_t k = 1; k < s.n_inputs(); ++k) {
     const Document& d = *s.documents[k];
     const bool changed = labels_changed(s, k);
     for (const Dataset& dataset : d.datasets) {
       if (dataset.kind() != DatasetKind::kOther) continue;
-      if (same_as_base(*s.models.front(), d, dataset)) {
-        s.report.datasets.push_back(entry(k, d, dataset, "same as base"));
-      } else if (changed || holds_systems(dataset)) {  // labels of systems may be those of the base
-        if (s.side_file.empty()) s.side_file += kSideFileMark, s.side_file += s.line_end();
-        s.side_file += "input " + std::to_string(k) + ", " + d.path() + ", line " +
-                       std::to_string(d.line_of(dataset.number_line)) + ": dataset " + number_of(dataset);
-        s.side_file += s.line_end();
-        append_dataset(s, d, dataset, s.side_file);
-        s.report.datasets.push_back(entry(k, d, dataset, "side file"));
-      } else {
-        append_dataset(s, d, dataset, copies.made());
-        s.report.datasets.push_back(entry(k, d, dataset, "kept"));
-      }
+      const Fate fate = is_property_table(dataset)                    ? fate_of(tables.add(k, dataset))
+                        : same_as_base(*s.models.front(), d, dataset) ? Fate::kSame
+                        : changed || holds_systems(dataset)  // labels of systems may be those of the base
+                            ? Fate::kAside
+                            : Fate::kKept;
+      if (fate == Fate::kAside) put_aside(s, k, dataset);
+      if (fate == Fate::kKept) append_dataset(s, d, dataset, copies.made());
+      s.report.datasets.push_back(entry(k, d, dataset, name(fate)));
     }
+    for (Warning& warning : tables.warnings(k)) s.report.warnings.push_back(std::move(warning));
   }
   s.append_text(std::move(copies));
 }
