@@ -25,8 +25,10 @@ struct CheckResult {
   double min_q = 1, p01_q = 1, mean_q = 1;
   std::uint64_t below_min_quality = 0;
   std::vector<std::pair<ElementId, double>> worst_faces;
-  std::vector<ElementId> degenerate_faces;                          // no area, or a repeated node
-  std::vector<std::pair<ElementId, ElementId>> duplicate_faces;     // on the same nodes
+  std::vector<ElementId> degenerate_faces;                       // no area, or a repeated node
+  std::vector<std::pair<ElementId, ElementId>> duplicate_faces;  // on the same nodes
+  std::vector<std::pair<ElementId, ElementId>> doubled_lines;    // 1D elements of one type on the same nodes
+  std::uint64_t n_doubled_lines = 0;
   std::vector<std::pair<ElementId, ElementId>> intersecting_faces;  // meet beyond shared nodes and edges
   std::uint64_t intersections = 0;                                  // number of such pairs; the list may be shorter
   std::vector<std::pair<NodeId, NodeId>> coincident_nodes;
@@ -34,7 +36,7 @@ struct CheckResult {
   std::vector<NodeId> orphan_nodes;  // of no element
   std::uint64_t n_orphan_nodes = 0;
   std::uint64_t dangling_group_entries = 0, empty_groups = 0;
-  /// No degenerate or duplicate face, no intersection.
+  /// No degenerate or duplicate face, no intersection. Two 1D elements on one edge may be meant.
   [[nodiscard]] bool sound() const { return degenerate_faces.empty() && duplicate_faces.empty() && intersections == 0; }
 };
 

@@ -123,6 +123,7 @@ CheckResult check(const Model& model, const CheckOptions& options) {
   check_edges(model, faces, options, result);
   check_quality(model, faces, options, result);
   check_duplicates(faces, result);
+  check_lines(model, options, result);
   check_places(model, faces, options, result);
   check_orphans(model, options, result);
   check_groups(model, result);

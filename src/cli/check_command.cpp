@@ -46,6 +46,16 @@ void print_quality(const Model& model, const CheckResult& r, double min_quality)
   print_line("quality", text);
 }
 
+Warning doubled(const Model& model, const CheckResult& r) {
+  const auto& [a, b] = r.doubled_lines.front();
+  return {
+      "doubled-line",
+      fmt::format("{} of one type on the same nodes, the first are elements {} and {}; their stiffness counts twice",
+                  counted(r.n_doubled_lines, "pair of 1D elements", "pairs of 1D elements"),
+                  model.element_label[a.value], model.element_label[b.value]),
+      place_of(model, b)};
+}
+
 const char* verdict(const CheckResult& r) {
   if (r.faces == 0) return "nothing to check: no triangles";
   return r.sound() ? "sound: no degenerate or duplicate triangle, no intersection"
@@ -65,6 +75,7 @@ void print_check(const Model& model, const CheckResult& r, double min_quality) {
   print_line("degenerate", findings<ElementId>(model, r.degenerate_faces.size(), r.degenerate_faces));
   print_line("duplicate",
              findings<std::pair<ElementId, ElementId>>(model, r.duplicate_faces.size(), r.duplicate_faces));
+  print_line("doubled 1D", findings<std::pair<ElementId, ElementId>>(model, r.n_doubled_lines, r.doubled_lines));
   print_line("intersecting", findings<std::pair<ElementId, ElementId>>(model, r.intersections, r.intersecting_faces));
   print_line("coincident", findings<std::pair<NodeId, NodeId>>(model, r.n_coincident_nodes, r.coincident_nodes));
   print_line("unused nodes", findings<NodeId>(model, r.n_orphan_nodes, r.orphan_nodes));
@@ -82,14 +93,15 @@ ExitCode run(const CheckArguments& arguments) {
   const auto model = read_unv(arguments.file, {.threads = arguments.common.threads, .unclosed = true});
   progress.clear();
   if (!model) return failed(model.error());
-  if (!quiet) print_warnings(model->warnings, arguments.common.talk);
-
   progress.show("checking", 0.5);
   CheckOptions options;
   options.min_quality = arguments.min_quality;
   const CheckResult result = check(*model, options);
   progress.clear();
+  std::vector<Warning> warnings = model->warnings;
+  if (result.n_doubled_lines > 0) warnings.push_back(doubled(*model, result));
   if (!quiet) {
+    print_warnings(warnings, arguments.common.talk);
     print_line("file", printable(arguments.file));
     print_check(*model, result, arguments.min_quality);
   }

@@ -260,24 +260,45 @@ class ResultCheck {
     return std::ranges::is_permutation(complex_.face[f.value], complex_.face[g.value]);
   }
 
-  /// 1D elements on the same nodes that descend from elements in two places.
+  /// 1D elements on the same nodes: those of one input that descend from elements in two places; and, as a warning,
+  /// those of one type that lie on each other where meshes are joined along both.
   [[nodiscard]] ResultVerdict doubled_lines() const {
     std::vector<std::pair<std::array<VertexId, 2>, ElementRef>> keys;
     for (const Complex::Line& line : complex_.lines)
       keys.push_back({{std::min(line.ends[0], line.ends[1]), std::max(line.ends[0], line.ends[1])}, line.parent});
     std::sort(keys.begin(), keys.end());
     Findings findings(limits_.max_listed);
+    Warning warning;
+    std::size_t n_met = 0;
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const auto& [ends, parent] = keys[k];
-      const ElementRef other = keys[k - 1].second;
-      if (keys[k - 1].first != ends || (other != parent && were_in_one_place(other, parent))) continue;
-      findings.add("two 1D elements around " +
-                       text_of(midpoint(complex_.position[ends[0].value], complex_.position[ends[1].value])) + ", of " +
-                       text_of(outcome_.inputs, other) + " and " + text_of(outcome_.inputs, parent) +
-                       ", are on the same nodes",
-                   place_of(*outcome_.inputs[parent.input], parent.element));
+      const Vec3 at = midpoint(complex_.position[ends[0].value], complex_.position[ends[1].value]);
+      const Place place = place_of(*outcome_.inputs[parent.input], parent.element);
+      for (std::size_t j = k; j-- > 0 && keys[j].first == ends;) {
+        const ElementRef other = keys[j].second;
+        const std::string both = text_of(outcome_.inputs, other) + " and " + text_of(outcome_.inputs, parent);
+        if (other == parent || (other.input == parent.input && !were_in_one_place(other, parent))) {
+          if (j + 1 == k)
+            findings.add("two 1D elements around " + text_of(at) + ", of " + both + ", are on the same nodes", place);
+        } else if (type_of(other) == type_of(parent) && !were_on_the_same_nodes(other, parent) && n_met++ == 0) {
+          warning = {"doubled-line", both + " lie on one edge at " + text_of(at), place};
+        }
+      }
     }
-    return {findings.all(), {}};
+    if (n_met == 0) return {findings.all(), {}};
+    if (n_met > 1) warning.what += "; so do " + std::to_string(n_met - 1) + " more pairs";
+    warning.what += "; both were kept, so that their stiffness counts twice";
+    return {findings.all(), {std::move(warning)}};
+  }
+
+  [[nodiscard]] std::int64_t type_of(ElementRef line) const {
+    return outcome_.inputs[line.input]->attributes_of(line.element).type;
+  }
+
+  /// Of 1D elements, in one input.
+  [[nodiscard]] bool were_on_the_same_nodes(ElementRef a, ElementRef b) const {
+    const Model& model = *outcome_.inputs[a.input];
+    return a.input == b.input && std::ranges::is_permutation(model.nodes_of(a.element), model.nodes_of(b.element));
   }
 
   /// Of 1D elements.

@@ -35,8 +35,9 @@ struct ResultVerdict {
 ///  (4) New faces are oriented as their parents, and are in their groups.
 ///  (5) No node that other elements need is gone.
 ///
-/// Warnings are: doubled-face, where two faces of an input at the zone are on the same nodes (both were left as they
-/// are), and input-intersects, where faces of the zone intersect because their parents did.
+/// Warnings are: doubled-line, where 1D elements of one type of different meshes lie on one edge now; doubled-face,
+/// where two faces of an input at the zone are on the same nodes (both were left as they are), and input-intersects,
+/// where faces of the zone intersect because their parents did.
 [[nodiscard]] ResultVerdict check_result(const Outcome& outcome, SetTranslation& translated, const Tolerance& tolerance,
                                          const ResultCheckLimits& limits = {});
 

@@ -51,6 +51,21 @@ TEST(Check, CountsEdgesByTheirFaces) {
   EXPECT_TRUE(r.sound());
 }
 
+TEST(Check, CountsLinesOfOneTypeOnTheSameNodesAndStaysSound) {
+  ModelBuilder b;
+  const NodeId x = b.add_node({0, 0, 0}), y = b.add_node({1, 0, 0}), z = b.add_node({0, 1, 0});
+  b.add_face(x, y, z);
+  const ElementId first = b.add_line(x, y, 1), second = b.add_line(y, x, 2);
+  b.add_line(y, z);
+  ElementAttributes other;
+  other.shape = Shape::kLine, other.type = 11;
+  b.add_element(other, std::array{y, z});
+  const CheckResult r = check(b.build());
+  EXPECT_EQ(r.n_doubled_lines, 1u);
+  EXPECT_EQ(r.doubled_lines, (std::vector{std::pair{first, second}}));
+  EXPECT_TRUE(r.sound());
+}
+
 TEST(Check, FoldIsSharpAndFlipIsNot) {
   const auto folded = [](double degrees, bool flip) {
     ModelBuilder b;

@@ -212,6 +212,63 @@ TEST(Merge, BeamsWhoseNodesSlideAlongTheirLineAreNotDoubled) {
   EXPECT_NEAR(beam->length_after, 36, 1e-9);
 }
 
+/// The model with 1D elements of a type on all edges whose ends are at y = 1, z = 0.
+Model with_beams(const Model& plain, std::int64_t type) {
+  ModelBuilder b;
+  for (const Vec3 p : plain.position) b.add_node(p);
+  std::set<std::array<NodeId, 2>> edges;
+  const auto is_on = [&](NodeId n) {
+    const Vec3 p = plain.position[n.value];
+    return std::abs(p.y - 1) < 1e-9 && std::abs(p.z) < 1e-9;
+  };
+  for (std::size_t e = 0; e < plain.n_elements(); ++e) {
+    const auto n = plain.nodes_of(ElementId(e));
+    b.add_face(n[0], n[1], n[2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (is_on(n[k]) && is_on(n[(k + 1) % 3]))
+        edges.insert({std::min(n[k], n[(k + 1) % 3]), std::max(n[k], n[(k + 1) % 3])});
+  }
+  ElementAttributes beam;
+  beam.shape = Shape::kLine, beam.type = type, beam.physical = 3;
+  for (const auto& ends : edges) b.add_element(beam, ends);
+  return b.build();
+}
+
+TEST(Merge, BeamsOfTwoMeshesOnOneEdgeStayWithAWarning) {
+  constexpr std::int64_t kRod = 11, kBeam = 21;
+  const Model base = with_beams(wall(0), kBeam);
+  for (const double size : {kSize, 0.7 * kSize}) {  // edge on edge, and with nodes between nodes
+    const Model rib = scenes::plate({0.4, 1, 0}, {1.2, 0, 0}, {0, 0, 0.7}, size, "RIB", 0);
+    for (const std::int64_t type : {kRod, kBeam}) {
+      const std::vector<Model> parts{with_beams(rib, type)};
+      const Merged m = merged(base, parts);
+      const auto warning = std::ranges::find(m.report.warnings, "doubled-line", &Warning::name);
+      EXPECT_EQ(warning != m.report.warnings.end(), type == kBeam) << size;
+      const CheckResult result = check(apply(base, parts, m));
+      EXPECT_EQ(result.n_doubled_lines > 0, type == kBeam);
+      if (type != kBeam || warning == m.report.warnings.end()) continue;
+      EXPECT_NE(warning->what.find("so do " + std::to_string(result.n_doubled_lines - 1) + " more pairs"),
+                std::string::npos)
+          << warning->what;
+    }
+  }
+}
+
+TEST(Merge, BeamsThatAnInputDoubledAreNoNewsOfTheMerge) {
+  ModelBuilder b;
+  const Model plain = wall(0);
+  for (const Vec3 p : plain.position) b.add_node(p);
+  for (std::size_t e = 0; e < plain.n_elements(); ++e) {
+    const auto n = plain.nodes_of(ElementId(e));
+    b.add_face(n[0], n[1], n[2]);
+  }
+  for (int twice = 0; twice < 2; ++twice)
+    for (std::size_t i = 0; i < 20; ++i) b.add_line(NodeId(10 * 21 + i), NodeId(10 * 21 + i + 1));
+  const std::vector<Model> parts{scenes::plate({0.87, 0.4, -0.3}, {0, 1.2, 0}, {0, 0, 0.7}, kSize, "STIFFENER", 0.15)};
+  const Merged m = merged(b.build(), parts);
+  EXPECT_EQ(std::ranges::find(m.report.warnings, "doubled-line", &Warning::name), m.report.warnings.end());
+}
+
 TEST(Merge, ExplicitNodesStayAndCoveringGroupsStillCover) {
   Model plain = wall(0);
   ModelBuilder b;
