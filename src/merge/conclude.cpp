@@ -7,6 +7,7 @@
 #include "merge/fidelity.hpp"
 #include "merge/labels.hpp"
 #include "merge/ledger.hpp"
+#include "merge/loose_pieces.hpp"
 #include "merge/near_misses.hpp"
 #include "merge/node_groups.hpp"
 #include "merge/outcome.hpp"
@@ -57,6 +58,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
   append(report.warnings, half_reached_warnings(outcome.inputs, outcome.corefined.half_reached));
   append(report.warnings, joined_seam_warnings(outcome.inputs, outcome.corefined.joined_seams));
+  append(report.warnings, loose_piece_warnings(outcome));
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;

@@ -1,13 +1,10 @@
 #include "merge/faults.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
-#include "geometry/box_tree.hpp"
-#include "geometry/closest.hpp"
+#include "merge/mesh_distance.hpp"
 
 namespace meshgraft {
 namespace {
@@ -26,32 +23,6 @@ std::string hint_of(ErrorCode code) {
     default:
       return "look at this place in both meshes; another --tolerance, or a part moved by a little, may help";
   }
-}
-
-/// Distance between two meshes from the nodes of each to the faces of the other. Cost n log n.
-double distance_between(const Model& a, const Model& b) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [points, faces] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-    std::vector<ElementId> items;
-    std::vector<Box> boxes;
-    for (std::size_t e = 0; e < faces->n_elements(); ++e) {
-      if (!faces->is_face(ElementId(e))) continue;
-      items.emplace_back(e);
-      Box& box = boxes.emplace_back();
-      for (const Vec3& p : faces->corners(ElementId(e))) box.add(p);
-    }
-    const BoxTree tree(boxes);
-    for (std::size_t e = 0; e < points->n_elements(); ++e) {
-      if (!points->is_face(ElementId(e))) continue;
-      for (const Vec3& p : points->corners(ElementId(e))) {
-        const auto squared_distance = [&](std::uint32_t f) {
-          return squared_norm(p - closest_on_triangle(p, faces->corners(items[f])).point);
-        };
-        least = std::min(least, tree.nearest(p, squared_distance, least).squared_distance);
-      }
-    }
-  }
-  return std::sqrt(least);
 }
 
 }  // namespace

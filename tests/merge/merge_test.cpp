@@ -212,6 +212,60 @@ TEST(Merge, BeamsWhoseNodesSlideAlongTheirLineAreNotDoubled) {
   EXPECT_NEAR(beam->length_after, 36, 1e-9);
 }
 
+const Warning* piece_apart(const Merged& m) {
+  const auto warning = std::ranges::find(m.report.warnings, "piece-apart", &Warning::name);
+  return warning == m.report.warnings.end() ? nullptr : &*warning;
+}
+
+TEST(Merge, PieceOfAPartThatMeetsNothingIsToldWithItsDistance) {
+  const Model base = wall(), near = stiffener(0.4, 1.6, 0.63, 0.3, 0.3);
+  const Model gap = scenes::plate({0.4, 1.43, 0.25}, {1.2, 0, 0}, {0, 0, 0.6}, kSize, "GAP", 0);
+  const Merged alone = merged(base, {near});
+  EXPECT_EQ(piece_apart(alone), nullptr);
+  const Model both = scenes::together(std::array{near, gap});
+  const Merged m = merged(base, {both});
+  ASSERT_NE(piece_apart(m), nullptr);
+  const std::string first = std::to_string(both.element_label[near.n_elements()]);
+  EXPECT_TRUE(piece_apart(m)->what.starts_with("element " + first + " of ")) << piece_apart(m)->what;
+  EXPECT_NE(piece_apart(m)->what.find(std::to_string(gap.n_elements() - 1) + " more elements"), std::string::npos);
+  EXPECT_NE(piece_apart(m)->what.find(" 0.25 or more away"), std::string::npos) << piece_apart(m)->what;
+}
+
+TEST(Merge, PieceOfAFileJoinedWithItselfThatMeetsNothingIsTold) {
+  const Model near = stiffener(0.4, 1.6, 0.63, 0.3, 0.3), gap = stiffener(0.4, 1.6, 1.43, -0.25, 0.85),
+              other = stiffener(0.4, 1.6, 1.83, -0.25, 0.85);
+  EXPECT_EQ(piece_apart(merged(scenes::together(std::array{wall(), near}), {})), nullptr);
+  const Merged m = merged(scenes::together(std::array{wall(), near, gap, other}), {});
+  ASSERT_NE(piece_apart(m), nullptr);
+  EXPECT_NE(piece_apart(m)->what.find("so are 1 more pieces"), std::string::npos) << piece_apart(m)->what;
+}
+
+TEST(Merge, ColumnOfBeamsThatStandsOnTheWallIsApartUnlessSomethingHoldsIt) {
+  const Model near = stiffener(0.4, 1.6, 0.63, 0.3, 0.3);
+  for (const bool held : {false, true}) {
+    ModelBuilder b;
+    for (const Vec3 p : near.position) b.add_node(p);
+    for (std::size_t e = 0; e < near.n_elements(); ++e) {
+      const auto n = near.nodes_of(ElementId(e));
+      b.add_face(n[0], n[1], n[2]);
+    }
+    b.add_line(b.add_node({0.7, 1.3, 0}), held ? NodeId(0u) : b.add_node({0.7, 1.3, 1}));
+    const Merged m = merged(wall(), {b.build()});
+    EXPECT_EQ(piece_apart(m) == nullptr, held);
+  }
+}
+
+TEST(Merge, PiecesThatLieOnTheWallMeetIt) {
+  const std::array pads{scenes::plate({0.4, 0.4, 0}, {0.5, 0, 0}, {0, 0.4, 0}, 0.08, "PAD"),
+                        scenes::plate({0.4, 1.2, 0}, {0.5, 0, 0}, {0, 0.4, 0}, 0.08, "PAD"),
+                        stiffener(1.2, 1.7, 1.03, 0.3, 0.3)};
+  for (const Overlap overlap : {Overlap::kFuse, Overlap::kKeepBase, Overlap::kKeepPart, Overlap::kProject}) {
+    MergeOptions options;
+    options.overlap = overlap;
+    EXPECT_EQ(piece_apart(merged(wall(), {scenes::together(pads)}, options)), nullptr) << static_cast<int>(overlap);
+  }
+}
+
 /// The model with 1D elements of a type on all edges whose ends are at y = 1, z = 0.
 Model with_beams(const Model& plain, std::int64_t type) {
   ModelBuilder b;
