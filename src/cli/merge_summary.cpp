@@ -54,6 +54,14 @@ std::size_t joined_components(const Report& report) {
   return met.size();
 }
 
+/// Area in which an input lies on others.
+double overlap_area(const Report& report, std::uint32_t input) {
+  double area = 0;
+  for (const OverlapEntry& o : report.overlaps)
+    if (std::ranges::find(o.inputs, input) != o.inputs.end()) area += o.area;
+  return area;
+}
+
 std::string junction(const Report& report, const MergeArguments& arguments) {
   Met all;
   for (const PolylineSummary& p : report.junction) all.add(p);
@@ -63,11 +71,14 @@ std::string junction(const Report& report, const MergeArguments& arguments) {
     Met of_part;
     for (const PolylineSummary& p : report.junction)
       if (std::ranges::find(p.inputs, part) != p.inputs.end()) of_part.add(p);
-    const bool nothing = of_part.curves + of_part.points == 0;
-    text += fmt::format("\n{}: {}", input_name(arguments, part),
-                        nothing ? "meets nothing"
-                                : fmt::format("{}, length {}{}", counted(of_part.curves, "curve", "curves"),
-                                              figure(of_part.length), of_part.single_nodes()));
+    const double lying = overlap_area(report, static_cast<std::uint32_t>(part));
+    const bool in_nodes = of_part.curves + of_part.points > 0;
+    text += fmt::format("\n{}: ", input_name(arguments, part));
+    if (in_nodes)
+      text += fmt::format("{}, length {}{}", counted(of_part.curves, "curve", "curves"), figure(of_part.length),
+                          of_part.single_nodes());
+    if (lying > 0) text += fmt::format("{}lies on others, area {}", in_nodes ? "; " : "", figure(lying));
+    if (!in_nodes && lying == 0) text += "meets nothing";
   }
   if (!report.components.empty() && arguments.parts.empty())
     text += fmt::format("\n{} of {} connected meshes met", joined_components(report), report.components.size());

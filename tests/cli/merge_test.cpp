@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "support/scenes.hpp"
 
 namespace meshgraft::cli_tests {
 namespace {
@@ -26,6 +27,19 @@ TEST(Merge, SummarisesOnStdoutAndIsSilentOnStderr) {
   EXPECT_NE(label_of_line(outcome.out, "written").find("out.unv"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("timings"), std::string::npos);
   EXPECT_EQ(folder.run({"check", "-q", "out.unv"}).code, 0);
+}
+
+TEST(Merge, SaysOfAPartThatLiesOnTheBaseHowLargeTheAreaIs) {
+  const Folder folder;
+  folder.put_plates();
+  folder.put("doubler.unv", scenes::plate({0.2, 0.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, 0.1, "DOUBLER"));
+  folder.put("same.unv", folder.text("base.unv"));
+  const Outcome all = folder.run({"merge", "base.unv", "same.unv", "-o", "out.unv"});
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_NE(all.out.find("same.unv: lies on others, area 1\n"), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("meets nothing"), std::string::npos);
+  const Outcome border = folder.run({"merge", "base.unv", "doubler.unv", "-o", "out.unv"});
+  EXPECT_NE(border.out.find("length 2; lies on others, area 0.25\n"), std::string::npos) << border.out;
 }
 
 TEST(Merge, SaysNothingWhenQuiet) {
