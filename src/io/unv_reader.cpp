@@ -171,7 +171,7 @@ class Reader {
   /// Warns, notes where the further records are, and returns the positions that stay.
   std::vector<std::uint32_t> remember(const char* kind, const std::vector<LabelIndex::Duplicate>& doubles,
                                       const std::vector<std::uint64_t>& places, std::vector<DuplicateRecord>& records) {
-    model_.warnings.push_back(d_.warning(std::string("duplicate-") + kind,
+    model_.warnings.push_back(d_.warning("repeated-record",
                                          std::to_string(doubles.size()) + " " + kind +
                                              " records repeat a label and everything else; the first one counts",
                                          places[doubles.front().later]));

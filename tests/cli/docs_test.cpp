@@ -1,7 +1,9 @@
 // The documentation names what the program has, no more and no less.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -42,6 +44,42 @@ TEST(ErrorsDocument, TellsTheExitCodeOfEveryCode) {
     ASSERT_NE(heading, lines.end());
     EXPECT_TRUE((heading + 2)->starts_with("Exit code " + std::to_string(cli::exit_code(code)) + ". ")) << name(code);
   }
+}
+
+/// Names in the first column of the table of warnings.
+std::set<std::string> documented_warnings() {
+  const std::vector<std::string> lines = lines_of("errors.md");
+  std::set<std::string> names;
+  const std::regex name("`([a-z-]+)`");
+  for (auto line = std::ranges::find(lines, "# Warnings"); line != lines.end(); ++line) {
+    if (!line->starts_with("| `")) continue;
+    const std::string column = line->substr(0, line->find('|', 1));
+    for (std::sregex_iterator at(column.begin(), column.end(), name), end; at != end; ++at) names.insert((*at)[1]);
+  }
+  return names;
+}
+
+/// Names that the sources give to warnings: `warn(..., "name",`, `warning("name",` and `warnings.push_back({"name",`.
+std::set<std::string> warnings_of_sources() {
+  const std::regex made(R"re(\bwarn(?:ing)?\(\s*(?:[^()"]*,\s*)?"([a-z-]+)",)re"
+                        R"re(|\bwarnings?(?:\.push_back\(|\s*=)\s*\{\s*"([a-z-]+)",)re");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(MESHGRAFT_SOURCES)) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = read_text(entry.path());
+    for (std::sregex_iterator at(text.begin(), text.end(), made), end; at != end; ++at)
+      names.insert((*at)[1].matched ? (*at)[1] : (*at)[2]);
+  }
+  return names;
+}
+
+TEST(ErrorsDocument, NamesEveryWarning) {
+  std::set<std::string> codes;  // an error that was allowed is a warning of that name
+  for (const ErrorCode code : all_codes()) codes.insert(name(code));
+  const std::set<std::string> documented = documented_warnings(), made = warnings_of_sources();
+  for (const std::string& warning : made) EXPECT_TRUE(documented.contains(warning)) << warning << " has no entry";
+  for (const std::string& warning : documented)
+    EXPECT_TRUE(made.contains(warning) || codes.contains(warning)) << warning << " is made nowhere";
 }
 
 /// Fields whose inner names are data, or are told elsewhere.
