@@ -64,15 +64,15 @@ bool is_replaced(const std::string& path) {
 Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const NamedFile& file = outputs[k];
-    const auto clash = [&](const NamedFile& other) {
+    const auto clash = [&](const NamedFile& other, const char* rule) {
       return failure(ErrorCode::kUsage,
                      fmt::format("{} and {} are the same file, '{}'", file.role, other.role, file.path),
-                     "no input is overwritten; give another name to " + file.role);
+                     fmt::format("{}; give another name to {}", rule, file.role));
     };
     for (const NamedFile& input : inputs)
-      if (same_file(file.path, input.path)) return clash(input);
+      if (same_file(file.path, input.path)) return clash(input, "no input is overwritten");
     for (const NamedFile& other : outputs.first(k))
-      if (same_file(file.path, other.path)) return clash(other);
+      if (same_file(file.path, other.path)) return clash(other, "one output would overwrite the other");
   }
   for (const NamedFile& file : outputs)
     if (const auto good = check_place(file); !good) return good;

@@ -40,6 +40,9 @@ std::string without_links(const std::string& path) {
   constexpr int kMostLinks = 40;  // as the system follows
   std::filesystem::path at = path;
   std::error_code error;
+  const auto status = std::filesystem::status(at, error);
+  // What a link like /dev/stdout names, if it is a pipe, has no name in any folder.
+  if (exists(status) && !is_regular_file(status)) return path;
   for (int k = 0; k < kMostLinks && std::filesystem::is_symlink(at, error); ++k)
     at = at.parent_path() / std::filesystem::read_symlink(at, error);  // an absolute one replaces it
   return at.string();

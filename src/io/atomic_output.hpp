@@ -10,7 +10,7 @@
 namespace meshgraft {
 
 /// The file that writing to `path` makes or replaces: symbolic links are followed and stay, also
-/// where there is no file at their end yet.
+/// where there is no file at their end yet. Of what is not a regular file (a pipe, a device), `path` itself.
 [[nodiscard]] std::string without_links(const std::string& path);
 
 /// Written beside its final place, then renamed; on any failure nothing is left behind and what was there

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -31,7 +32,7 @@ class Descriptor {
   int fd_;
 };
 
-int read_all(int fd, std::string& text) {
+int read_all(int fd, std::string& text) try {
   constexpr std::size_t kBlock = 1 << 16;
   for (;;) {
     const std::size_t have = text.size();
@@ -41,6 +42,8 @@ int read_all(int fd, std::string& text) {
     if (got == 0) return 0;
     if (got < 0 && errno != EINTR) return errno;
   }
+} catch (const std::bad_alloc&) {
+  return ENOMEM;
 }
 
 /// A file that was given a length but no content. It reads as that many zeros, which may be more than
@@ -55,6 +58,9 @@ Result<MappedFile> MappedFile::open(const std::string& path) {
   struct stat status {};
   if (::fstat(fd.get(), &status) != 0) return cannot_read(path, errno);
   if (S_ISDIR(status.st_mode)) return cannot_read(path, EISDIR);
+  if (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode))  // may have no end
+    return failure(ErrorCode::kCannotRead, "cannot read: it is a device", "give the name of a file or a pipe",
+                   {path, 0});
 
   MappedFile file;
   if (!S_ISREG(status.st_mode)) {

@@ -9,10 +9,11 @@
 namespace meshgraft {
 
 /// Regular files are mapped, but for those of nothing but a hole, which are empty; anything else that can be read (a
-/// pipe) is read into memory.
+/// pipe) is read into memory. Devices are not read.
 class MappedFile {
  public:
-  /// Error kCannotRead with the reason of the system: missing, a directory, no permission.
+  /// Error kCannotRead with the reason of the system: missing, a directory or device, no permission, no
+  /// memory.
   [[nodiscard]] static Result<MappedFile> open(const std::string& path);
 
   MappedFile(MappedFile&& other) noexcept;

@@ -46,6 +46,35 @@ TEST(DirectoryAsInput, IsRefused) {
   expect_no_output({"merge", "directory.unv", "part.unv", "-o", "out.unv"}, 3, {"directory.unv", "[cannot-read]"});
 }
 
+TEST(DeviceAsInput, IsRefusedAndNotReadForever) {
+  expect_no_output({"info", "/dev/zero"}, 3, {"/dev/zero: error [cannot-read]", "device", "hint"});
+  expect_no_output({"merge", "base.unv", "/dev/zero", "-o", "out.unv"}, 3, {"/dev/zero", "[cannot-read]"});
+}
+
+TEST(InputWithoutEnd, IsGivenUpWhereMemoryEnds) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "needs more addresses than the limit";
+#endif
+  const Folder folder;
+  const Outcome outcome = folder.run_program(
+      "/bin/sh", {"-c", "ulimit -v 1000000; cat /dev/zero | exec \"$0\" info /dev/stdin", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("/dev/stdin: error [cannot-read]"), std::string::npos) << outcome.err;
+}
+
+TEST(PipeOrDeviceAsOutput, IsWrittenInPlace) {
+  const Folder folder;
+  folder.put_plates();
+  const std::vector<std::string> before = folder.files();
+  const Outcome merged = folder.run_program(
+      "/bin/sh", {"-c", "\"$0\" merge base.unv part.unv -q -o /dev/stdout | cat", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(merged.err, "");
+  EXPECT_EQ(folder.run({"merge", "base.unv", "part.unv", "-q", "-o", "/dev/null"}).code, 0);
+  EXPECT_EQ(folder.files(), before);
+  ASSERT_EQ(folder.run({"merge", "base.unv", "part.unv", "-q", "-o", "out.unv"}).code, 0);
+  EXPECT_EQ(merged.out, folder.text("out.unv"));
+}
+
 TEST(InputBelowAFile, CannotBeRead) {
   expect_no_output({"info", "base.unv/mesh.unv"}, 3, {"base.unv/mesh.unv", "[cannot-read]"});
 }

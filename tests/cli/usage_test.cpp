@@ -118,6 +118,7 @@ TEST(Outputs, AreNeverEachOther) {
   const Outcome outcome = folder.run({"merge", "base.unv", "part.unv", "-o", "out.unv", "--report", "./out.unv"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_NE(outcome.err.find("--report and -o are the same file"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("input"), std::string::npos) << outcome.err;
   EXPECT_FALSE(folder.has("out.unv"));
 }
 
