@@ -15,7 +15,10 @@ constexpr double kCoincident = 1e-9;  // of the box of the model: below what fil
 constexpr double kFirstPercentile = 0.01;
 
 /// Sorts out the faces: those without area are listed, those without a node cannot be looked at further.
-Faces faces_of(const Model& model, CheckResult& result) {
+Faces faces_of(const Model& model, const CheckOptions& options, CheckResult& result) {
+  const auto degenerate = [&](ElementId e) {
+    if (++result.n_degenerate_faces <= options.max_places) result.degenerate_faces.push_back(e);
+  };
   Faces faces;
   for (std::size_t i = 0; i < model.n_elements(); ++i) {
     const ElementId e(i);
@@ -23,12 +26,12 @@ Faces faces_of(const Model& model, CheckResult& result) {
     ++result.faces;
     const auto v = model.nodes_of(e);
     if (!std::ranges::all_of(v, &NodeId::valid)) {
-      result.degenerate_faces.push_back(e);
+      degenerate(e);
       continue;
     }
     faces.element.push_back(e);
     faces.corner.push_back({v[0].value, v[1].value, v[2].value});
-    if (is_degenerate(faces.corner.back(), model.corners(e))) result.degenerate_faces.push_back(e);
+    if (is_degenerate(faces.corner.back(), model.corners(e))) degenerate(e);
   }
   return faces;
 }
@@ -59,7 +62,7 @@ void check_quality(const Model& model, const Faces& faces, const CheckOptions& o
   result.min_q = *std::min_element(q.begin(), p01 + 1);
 }
 
-void check_duplicates(const Faces& faces, CheckResult& result) {
+void check_duplicates(const Faces& faces, const CheckOptions& options, CheckResult& result) {
   std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> sorted;  // nodes ascending, face
   sorted.reserve(faces.corner.size());
   for (std::uint32_t f = 0; f < faces.corner.size(); ++f) {
@@ -69,10 +72,10 @@ void check_duplicates(const Faces& faces, CheckResult& result) {
   }
   std::ranges::sort(sorted);
   for (std::size_t i = 1, first = 0; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[first].first)
-      result.duplicate_faces.emplace_back(faces.element[sorted[first].second], faces.element[sorted[i].second]);
-    else
+    if (sorted[i].first != sorted[first].first)
       first = i;
+    else if (++result.n_duplicate_faces <= options.max_places)
+      result.duplicate_faces.emplace_back(faces.element[sorted[first].second], faces.element[sorted[i].second]);
   }
 }
 
@@ -119,10 +122,10 @@ void check_groups(const Model& model, CheckResult& result) {
 CheckResult check(const Model& model, const CheckOptions& options) {
   CheckResult result;
   for (const Vec3 p : model.position) result.box.add(p);
-  const Faces faces = faces_of(model, result);
+  const Faces faces = faces_of(model, options, result);
   check_edges(model, faces, options, result);
   check_quality(model, faces, options, result);
-  check_duplicates(faces, result);
+  check_duplicates(faces, options, result);
   check_lines(model, options, result);
   check_places(model, faces, options, result);
   check_orphans(model, options, result);

@@ -17,7 +17,7 @@ struct Faces {
 
 void check_edges(const Model& model, const Faces& faces, const CheckOptions& options, CheckResult& result);
 void check_quality(const Model& model, const Faces& faces, const CheckOptions& options, CheckResult& result);
-void check_duplicates(const Faces& faces, CheckResult& result);
+void check_duplicates(const Faces& faces, const CheckOptions& options, CheckResult& result);
 void check_lines(const Model& model, const CheckOptions& options, CheckResult& result);
 /// Nodes at one place count as one, or every face beside a doubled node would be an intersection.
 void check_places(const Model& model, const Faces& faces, const CheckOptions& options, CheckResult& result);

@@ -100,7 +100,7 @@ class CheckCommand : public CommandReader<CheckArguments> {
   explicit CheckCommand(CLI::App& app) : CommandReader(app, "check", "say what is wrong with the mesh in FILE") {
     a_.name("FILE", out_.file, "mesh to check (UNV)");
     a_.value("--min-quality", "Q", "faces with a lower aspect ratio are counted, 0 to 0.9 [default: 0.5]");
-    common_.add(a_, "print nothing; the exit code is the answer", {});
+    common_.add(a_, "print nothing; the exit code is the answer", "all places of each kind, not only the first 10");
   }
 
  private:

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <span>
 
 #include "cli/commands.hpp"
@@ -33,7 +34,7 @@ template <class T>
 std::string findings(const Model& model, std::uint64_t n, std::span<const T> places) {
   std::string text = fmt::format("{}", n);
   for (const T& p : places) text += fmt::format("\n{}", named(model, p));
-  if (n > places.size() && !places.empty()) text += fmt::format("\n... and {} more", n - places.size());
+  if (n > places.size() && !places.empty()) text += fmt::format("\n... and {} more, which -v lists", n - places.size());
   return text;
 }
 
@@ -72,9 +73,8 @@ void print_check(const Model& model, const CheckResult& r, double min_quality) {
       fmt::format("mean length {}; {} free, {} non-manifold, {} sharp, {} between opposite orientations",
                   figure(r.mean_edge_length), r.free_edges, r.non_manifold_edges, r.sharp_edges, r.flipped_edges));
   print_quality(model, r, min_quality);
-  print_line("degenerate", findings<ElementId>(model, r.degenerate_faces.size(), r.degenerate_faces));
-  print_line("duplicate",
-             findings<std::pair<ElementId, ElementId>>(model, r.duplicate_faces.size(), r.duplicate_faces));
+  print_line("degenerate", findings<ElementId>(model, r.n_degenerate_faces, r.degenerate_faces));
+  print_line("duplicate", findings<std::pair<ElementId, ElementId>>(model, r.n_duplicate_faces, r.duplicate_faces));
   print_line("doubled 1D", findings<std::pair<ElementId, ElementId>>(model, r.n_doubled_lines, r.doubled_lines));
   print_line("intersecting", findings<std::pair<ElementId, ElementId>>(model, r.intersections, r.intersecting_faces));
   print_line("coincident", findings<std::pair<NodeId, NodeId>>(model, r.n_coincident_nodes, r.coincident_nodes));
@@ -96,6 +96,7 @@ ExitCode run(const CheckArguments& arguments) {
   progress.show("checking", 0.5);
   CheckOptions options;
   options.min_quality = arguments.min_quality;
+  if (arguments.common.talk == Talk::kVerbose) options.max_places = std::numeric_limits<std::size_t>::max();
   const CheckResult result = check(*model, options);
   progress.clear();
   std::vector<Warning> warnings = model->warnings;

@@ -15,9 +15,9 @@ std::string hint_of(ErrorCode code) {
       return "give a --tolerance clearly above the distance of the two surfaces there, or clearly below it; contact is "
              "refused by --mode face-edge";
     case ErrorCode::kDegenerateFace:
-      return "remove the face or give it an area; meshgraft check lists all of them";
+      return "remove the face or give it an area; meshgraft check -v lists all of them";
     case ErrorCode::kDuplicateFace:
-      return "remove one of the two; meshgraft check lists all of them";
+      return "remove one of the two; meshgraft check -v lists all of them";
     case ErrorCode::kUnsupportedElement:
       return "split the elements there into three-node triangles, or move the part";
     default:

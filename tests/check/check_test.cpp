@@ -100,6 +100,19 @@ TEST(Check, NamesDegenerateAndDuplicateFaces) {
   EXPECT_EQ(r.min_q, 0);
 }
 
+TEST(Check, CountsAllOfWhatItListsInPart) {
+  ModelBuilder b;
+  const NodeId x = b.add_node({0, 0, 0}), y = b.add_node({1, 0, 0}), z = b.add_node({0, 1, 0});
+  for (int k = 0; k < 4; ++k) b.add_face(x, y, z), b.add_face(x, x, b.add_node({2, 1.0 * k, 0}));
+  CheckOptions options;
+  options.max_places = 2;
+  const CheckResult r = check(b.build(), options);
+  EXPECT_EQ(r.n_duplicate_faces, 3u);
+  EXPECT_EQ(r.n_degenerate_faces, 4u);
+  EXPECT_EQ(r.duplicate_faces.size() + r.degenerate_faces.size(), 4u);
+  EXPECT_FALSE(r.sound());
+}
+
 TEST(Check, CountsIntersectionsBeyondThoseListed) {
   const Model m = scenes::together(std::array{scenes::plate({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 1),
                                               scenes::plate({0.3, 2.1, -1}, {3, 0.2, 0}, {0, 0, 2}, 0.5)});

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "program.hpp"
 #include "support/scenes.hpp"
 
@@ -53,6 +55,24 @@ TEST(Check, NamesFacesThatIntersectByLabelAndLine) {
   EXPECT_TRUE(says(outcome, "element 1 (line ")) << outcome.out;
   EXPECT_TRUE(says(outcome, "element 5 (line ")) << outcome.out;
   EXPECT_TRUE(says(outcome, "verdict       not sound")) << outcome.out;
+}
+
+TEST(Check, ListsAllPlacesWhenVerbose) {
+  const Folder folder;
+  folder.put("crossed.unv", scenes::together(std::array{scenes::plate({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 1),
+                                                        scenes::plate({0.3, 2.1, -1}, {3, 0.2, 0}, {0, 0, 2}, 0.5)}));
+  const auto pairs = [](const std::string& out) {
+    std::size_t n = 0;
+    for (std::size_t at = out.find(" and element "); at != std::string::npos; at = out.find(" and element ", at + 1))
+      ++n;
+    return n;
+  };
+  const Outcome some = folder.run({"check", "crossed.unv"}), all = folder.run({"check", "-v", "crossed.unv"});
+  EXPECT_EQ(pairs(some.out), 10u);
+  const std::size_t more = some.out.find("... and ");
+  ASSERT_NE(more, std::string::npos);
+  EXPECT_EQ(pairs(all.out), 10 + std::stoul(some.out.substr(more + 8)));
+  EXPECT_EQ(all.out.find("... and "), std::string::npos);
 }
 
 TEST(Check, AnswersByExitCodeAloneWhenQuiet) {

@@ -18,8 +18,8 @@ inline std::string first_problem(const Report& report) {
 /// Nothing degenerate, doubled or intersecting, and no node alone or twice in one place.
 inline void expect_sound(const Model& result) {
   const CheckResult check = meshgraft::check(result);
-  EXPECT_TRUE(check.sound()) << check.intersections << " intersections, " << check.degenerate_faces.size()
-                             << " degenerate, " << check.duplicate_faces.size() << " duplicate";
+  EXPECT_TRUE(check.sound()) << check.intersections << " intersections, " << check.n_degenerate_faces << " degenerate, "
+                             << check.n_duplicate_faces << " duplicate";
   EXPECT_EQ(check.n_orphan_nodes, 0u);
   EXPECT_EQ(check.n_coincident_nodes, 0u);
 }
