@@ -32,7 +32,7 @@ struct CheckResult {
   std::uint64_t n_duplicate_faces = 0;
   std::vector<std::pair<ElementId, ElementId>> doubled_lines;  // 1D elements of one type on the same nodes
   std::uint64_t n_doubled_lines = 0;
-  /// Faces that meet beyond shared nodes and edges.
+  /// Faces that meet beyond shared nodes and edges, but not those on the same nodes.
   std::vector<std::pair<ElementId, ElementId>> intersecting_faces;
   std::uint64_t intersections = 0;
   std::vector<std::pair<NodeId, NodeId>> coincident_nodes;

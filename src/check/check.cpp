@@ -93,7 +93,10 @@ void check_places(const Model& model, const Faces& faces, const CheckOptions& op
   std::vector<std::array<std::uint32_t, 3>> corner = faces.corner;
   for (auto& v : corner)
     for (std::uint32_t& n : v) n = one[n];
-  const auto meeting = intersecting_pairs(model.position, corner);
+  auto meeting = intersecting_pairs(model.position, corner);
+  std::erase_if(meeting, [&](const auto& pair) {  // duplicates are counted as such
+    return std::ranges::is_permutation(faces.corner[pair[0]], faces.corner[pair[1]]);
+  });
   result.intersections = meeting.size();
   for (std::size_t i = 0; i < std::min(meeting.size(), options.max_places); ++i)
     result.intersecting_faces.emplace_back(faces.element[meeting[i][0]], faces.element[meeting[i][1]]);

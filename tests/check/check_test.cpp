@@ -96,6 +96,7 @@ TEST(Check, NamesDegenerateAndDuplicateFaces) {
   const CheckResult r = check(b.build());
   EXPECT_EQ(r.degenerate_faces, (std::vector{face(1), face(2)}));
   EXPECT_EQ(r.duplicate_faces, (std::vector{std::pair(face(0), face(3))}));
+  EXPECT_EQ(r.intersections, 0u) << "a pair on the same nodes is counted once";
   EXPECT_FALSE(r.sound());
   EXPECT_EQ(r.min_q, 0);
 }

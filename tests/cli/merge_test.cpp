@@ -42,6 +42,17 @@ TEST(Merge, SaysOfAPartThatLiesOnTheBaseHowLargeTheAreaIs) {
   EXPECT_NE(border.out.find("length 2; lies on others, area 0.25\n"), std::string::npos) << border.out;
 }
 
+TEST(Merge, OfTwoLayersIsDuplicateForCheckAndNothingElse) {
+  const Folder folder;
+  folder.put_plates();
+  folder.put("doubler.unv", scenes::plate({0.2, 0.2, 0}, {0.5, 0, 0}, {0, 0.5, 0}, 0.1, "DOUBLER"));
+  ASSERT_EQ(folder.run({"merge", "base.unv", "doubler.unv", "--overlap", "project", "-q", "-o", "out.unv"}).code, 0);
+  const Outcome check = folder.run({"check", "out.unv"});
+  EXPECT_EQ(check.code, 1);
+  EXPECT_EQ(label_of_line(check.out, "duplicate").find(" 0"), std::string::npos) << check.out;
+  EXPECT_NE(label_of_line(check.out, "intersecting").find(" 0"), std::string::npos) << check.out;
+}
+
 TEST(Merge, SaysNothingWhenQuiet) {
   const Folder folder;
   folder.put_plates();
