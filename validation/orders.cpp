@@ -1,7 +1,9 @@
-// meshgraft_orders: how the error of filled holes falls with the edge length on known surfaces, as a table in Markdown.
+// meshgraft_orders: how the error of filled holes falls with the edge length on known surfaces, as a table in Markdown;
+// or, with --wide, what holes take that are many edges wide.
 #include <fmt/format.h>
 
 #include <iostream>
+#include <string_view>
 
 #include "support/known_surfaces.hpp"
 
@@ -20,6 +22,34 @@ std::string cells(std::span<const scenes::Refill> refills, double scenes::Refill
   std::string text;
   for (const scenes::Refill& r : refills) text += fmt::format(" {:.1e} |", r.*error);
   return text + fmt::format(" {:.1f} |", scenes::order_of(refills, error));
+}
+
+double seconds_of(const Report& report, std::string_view stage) {
+  double sum = 0;
+  for (const auto& [name, seconds] : report.timings)
+    if (name == stage) sum += seconds;
+  return sum;
+}
+
+/// A hole of one width, meshed finer and finer.
+int run_wide() {
+  constexpr double kRadius = 0.8;
+  std::cout
+      << "| surface | contour nodes | new triangles | worst Q | mean Q | distance | contour filled | refined, blended, "
+         "remeshed |\n|---|---|---|---|---|---|---|---|\n";
+  for (const scenes::KnownSurface& surface : scenes::known_surfaces()) {
+    if (surface.name == "Saddle") continue;  // see the page
+    for (const double edges : {14.0, 45.0, 140.0}) {
+      const auto refill = scenes::refilled(surface, kRadius / edges, Blend::kTangency, edges);
+      if (!refill) return std::cerr << to_string(refill.error()) << '\n', 1;
+      const Report& r = refill->merged.report;
+      std::cout << fmt::format("| {} | {} | {} | {:.3f} | {:.3f} | {:.1e} | {:.1f} s | {:.1f} s |\n", surface.name,
+                               r.junction.front().nodes, r.zone.faces_created, r.quality.min, r.quality.mean,
+                               refill->distance, seconds_of(r, "fill"), seconds_of(r, "remesh"))
+                << std::flush;
+    }
+  }
+  return 0;
 }
 
 int run() {
@@ -46,4 +76,7 @@ int run() {
 }  // namespace
 }  // namespace meshgraft::validation
 
-int main() { return meshgraft::validation::run(); }
+int main(int argc, char** argv) {
+  return argc > 1 && std::string_view(argv[1]) == "--wide" ? meshgraft::validation::run_wide()
+                                                           : meshgraft::validation::run();
+}

@@ -100,8 +100,9 @@ FaceId typical_face(const Complex& c, const Hole& hole) {
   return best;
 }
 
-/// Corners, curves and sheets: those of what is around, and one sheet for each patch.
-Brep brep_of(const Patched& p, GroupSets& groups) {
+/// Corners, curves and sheets: those of what is around, and one sheet for each patch, on the surface of its faces or
+/// not.
+Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
   Complex around = p.complex;
   around.face.resize(p.n_around), around.parent.resize(p.n_around), around.component.resize(p.n_around);
   around.face_groups.resize(p.n_around), around.face_attributes.resize(p.n_around);
@@ -133,6 +134,7 @@ Brep brep_of(const Patched& p, GroupSets& groups) {
   }
   for (std::size_t s = first_sheet; s < brep.sheets.size(); ++s) {
     Sheet& sheet = brep.sheets[s];
+    sheet.made_up = !on_its_surface;
     Vec3 area;
     for (const FaceId f : sheet.faces) area += area_vector(p.complex.corners(f));
     const Vec3 normal = normalized(area), origin = p.complex.corners(sheet.faces.front())[0];
@@ -172,7 +174,7 @@ struct Workshop {
   Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, const RemeshOptions& options)
       : complex(p.complex),
         in_zone(p.in_zone),
-        brep(brep_of(p, groups)),
+        brep(brep_of(p, groups, false)),
         editor(complex, brep, in_zone, sizing, options) {
     is_patch.assign(brep.sheets.size(), 0);
     for (std::size_t f = p.n_around; f < in_zone.size(); ++f) is_patch[brep.sheet_of_face[f].value] = 1;
@@ -238,6 +240,7 @@ Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optio
 Remeshed shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups, const MergeOptions& options) {
   RemeshOptions remesh_options;
   remesh_options.min_quality = options.min_quality;
+  remesh_options.edge_samples = 0;  // the surface is to be blended once more
   const BlendOptions blend{.blend = options.blend, .rim_is_smooth = true};
   Remeshed fine;
   {
@@ -253,7 +256,7 @@ Remeshed shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups, 
   }
   if (options.method == Method::kPaper) return fine;
   const Patched surface = patched_again(std::move(fine));
-  const Brep brep = brep_of(surface, groups);
+  const Brep brep = brep_of(surface, groups, true);
   const Patched better = patched_again(remesh(surface.complex, brep, sizing, surface.in_zone, groups, remesh_options));
   Workshop work(better, sizing, groups, remesh_options);
   blend_filled(work.editor, work.complex, work.is_patch, blend);

@@ -19,7 +19,7 @@ struct DeformProblem {
 
 struct DeformOptions {
   int most_rounds = 12;         // each linear solve starts from the shape of the last one
-  double settled = 1e-4;        // share of the mean edge length: moves below it end the rounds
+  double settled = 1e-4;        // share of the mean edge length: moves across the surface below it end the rounds
   double least_quality = 0.05;  // Q that no face may fall below if it was above; moves are shortened for that
 };
 
@@ -39,8 +39,11 @@ struct DeformOptions {
 ///
 /// Next to an open border of the piece, which has no surroundings to continue, tangency stands for curvature.
 ///
-/// Cost: a sparse factorisation per round. If a system is singular or a move would turn faces over, what has been
-/// reached by then is returned.
+/// Nodes may creep along the surface from round to round, which does not change it; the rounds end when moves across it
+/// are small, or do not fall any more.
+///
+/// Cost: some sparse Cholesky factors of a symmetric operator, and a dozen products with them per round (PowerSolver).
+/// If a system is singular or a move would turn faces over, what has been reached by then is returned.
 [[nodiscard]] std::vector<Vec3> deformed(const DeformProblem& problem, Blend blend, const DeformOptions& options = {});
 
 }  // namespace meshgraft

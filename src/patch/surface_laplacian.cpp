@@ -4,23 +4,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
 namespace {
 
-constexpr double kFitRadius = 1.5;   // of the mean distance of the neighbours: where weights have fallen to 1/e
-constexpr double kSurplus = 1.2;     // nodes per coefficient of a fit, at least
-constexpr double kWellPosed = 1e-6;  // least ratio of pivots of a fit
-constexpr double kLeastSine = 1e-6;  // of an angle whose cotangent is taken
+constexpr double kFitRadius = 1.5;      // of the mean distance of the neighbours: where weights have fallen to 1/e
+constexpr double kSurplus = 1.2;        // nodes per coefficient of a fit, at least
+constexpr double kWellPosed = 1e-6;     // least ratio of pivots of a fit
+constexpr double kLeastSine = 1e-6;     // of an angle whose cotangent is taken
+constexpr std::size_t kFitBlock = 256;  // nodes per task
 
 /// u, v, uu, uv, vv, uuu, ...: 5 terms for the second degree, 9 for the third.
 std::array<double, 9> terms(double u, double v) {
   return {u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
 }
 
-void add(NodeWeights& to, const NodeWeights& from, double factor) {
-  for (const auto& [node, w] : from) to[node] += factor * w;
+using Entry = Eigen::Triplet<double>;
+
+SparseRows square(std::size_t size, const std::vector<Entry>& entries) {
+  SparseRows matrix(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Entry entry(std::size_t row, std::size_t column, double value) {
+  return {static_cast<int>(row), static_cast<int>(column), value};
 }
 
 }  // namespace
@@ -39,21 +49,27 @@ SurfaceLaplacian::SurfaceLaplacian(std::span<const std::array<std::uint32_t, 3>>
   }
 }
 
-NodeWeights SurfaceLaplacian::cotangents(std::size_t node) const {
-  NodeWeights weights;
-  const auto add_angle = [&](std::size_t at, std::size_t end) {  // the angle at `at` opposite to the edge node-end
-    const Vec3 u = position_[node] - position_[at], v = position_[end] - position_[at];
-    const double sine = std::max(norm(cross(u, v)), kLeastSine * norm(u) * norm(v));
-    const double half = 0.5 * dot(u, v) / sine;
-    weights[end] += half, weights[node] -= half;
-  };
-  for (const std::uint32_t f : faces_at_[node]) {
-    const auto& v = faces_[f];
-    const std::size_t k = v[0] == node ? 0 : v[1] == node ? 1 : 2;
-    add_angle(v[(k + 1) % 3], v[(k + 2) % 3]);
-    add_angle(v[(k + 2) % 3], v[(k + 1) % 3]);
-  }
-  return weights;
+SparseRows SurfaceLaplacian::cotangents() const {
+  std::vector<Entry> entries;
+  entries.reserve(12 * faces_.size());
+  for (const auto& f : faces_)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = f[k], j = f[(k + 1) % 3], at = f[(k + 2) % 3];  // the angle opposite to the edge i-j
+      const Vec3 u = position_[i] - position_[at], v = position_[j] - position_[at];
+      const double sine = std::max(norm(cross(u, v)), kLeastSine * norm(u) * norm(v));
+      const double half = 0.5 * dot(u, v) / sine;
+      for (const auto& e : {entry(i, j, half), entry(i, i, -half), entry(j, i, half), entry(j, j, -half)})
+        entries.push_back(e);
+    }
+  return square(position_.size(), entries);
+}
+
+Eigen::VectorXd SurfaceLaplacian::inverse_areas() const {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(position_.size()));
+  for (const auto& f : faces_)
+    for (const std::uint32_t v : f)
+      areas[static_cast<Eigen::Index>(v)] += area({position_[f[0]], position_[f[1]], position_[f[2]]}) / 3;
+  return areas.cwiseInverse();
 }
 
 std::vector<std::size_t> SurfaceLaplacian::two_rings(std::size_t node) const {
@@ -65,7 +81,7 @@ std::vector<std::size_t> SurfaceLaplacian::two_rings(std::size_t node) const {
   return nodes;
 }
 
-NodeWeights SurfaceLaplacian::of_fit(std::size_t node) const {
+SurfaceLaplacian::Weights SurfaceLaplacian::fit(std::size_t node) const {
   Vec3 normal;
   for (const std::uint32_t f : faces_at_[node]) {
     const auto& v = faces_[f];
@@ -94,43 +110,52 @@ NodeWeights SurfaceLaplacian::of_fit(std::size_t node) const {
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(values);
     const auto pivots = qr.matrixR().diagonal().cwiseAbs();
     if (!(pivots.minCoeff() > kWellPosed * pivots.maxCoeff())) continue;
-    // The coefficients are a linear function of the values; of uu and vv twice makes the Laplacian.
-    const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd(root.asDiagonal()));
-    NodeWeights weights;
+    // The coefficients are a linear function of the values: c = P R^-1 Q^T root d. The Laplacian is twice those of uu
+    // and vv, g c; its weights are root Q R^-T P^T g.
+    Eigen::VectorXd g = Eigen::VectorXd::Zero(n), q = Eigen::VectorXd::Zero(m);
+    g[2] = g[4] = 2 / (h * h);
+    Eigen::VectorXd y = qr.colsPermutation().transpose() * g;
+    qr.matrixR().topLeftCorner(n, n).triangularView<Eigen::Upper>().transpose().solveInPlace(y);
+    q.head(n) = y;
+    q.applyOnTheLeft(qr.householderQ());
+    Weights weights;
+    double sum = 0;
     for (Eigen::Index i = 0; i < m; ++i) {
-      const double w = 2 * (inverse(2, i) + inverse(4, i)) / (h * h);
-      weights[nodes[static_cast<std::size_t>(i)]] += w, weights[node] -= w;
+      const double w = root[i] * q[i];
+      weights.emplace_back(nodes[static_cast<std::size_t>(i)], w), sum += w;
     }
+    weights.emplace_back(node, -sum);
     return weights;
   }
-  NodeWeights weights;  // of the mean of the neighbours: 4 / h^2 times its distance on a regular grid
-  for (const std::size_t v : neighbours_[node]) {
-    const double w = 4 / (h * h) / static_cast<double>(neighbours_[node].size());
-    weights[v] += w, weights[node] -= w;
-  }
+  Weights weights;  // of the mean of the neighbours: 4 / h^2 times its distance on a regular grid
+  const double whole = 4 / (h * h);
+  for (const std::size_t v : neighbours_[node])
+    weights.emplace_back(v, whole / static_cast<double>(neighbours_[node].size()));
+  weights.emplace_back(node, -whole);
   return weights;
 }
 
-const NodeWeights& SurfaceLaplacian::density(std::size_t node, int n) {
-  auto& known = density_[static_cast<std::size_t>(n - 1)];
-  if (const auto it = known.find(node); it != known.end()) return it->second;
-  if (n == 1) return known[node] = of_fit(node);
-  double area_around = 0;
-  for (const std::uint32_t f : faces_at_[node]) {
-    const auto& v = faces_[f];
-    area_around += area({position_[v[0]], position_[v[1]], position_[v[2]]}) / 3;
-  }
-  NodeWeights weights;
-  for (const auto& [v, w] : cotangents(node)) add(weights, density(v, n - 1), w / area_around);
-  return known[node] = std::move(weights);
+SparseRows SurfaceLaplacian::fits() const {
+  return square(position_.size(), collected<Entry>(
+                                      position_.size(),
+                                      [&](std::size_t node, std::vector<Entry>& entries) {
+                                        for (const auto& [v, w] : fit(node)) entries.push_back(entry(node, v, w));
+                                      },
+                                      kFitBlock));
 }
 
-NodeWeights SurfaceLaplacian::power(std::size_t node, int n) {
-  if (n == 1) return cotangents(node);
-  if (n > 2 && std::ranges::any_of(neighbours_[node], [&](std::size_t v) { return is_on_border(v); })) n = 2;
-  NodeWeights weights;
-  for (const auto& [v, w] : cotangents(node)) add(weights, density(v, n - 1), w);
-  return weights;
+SparseRows SurfaceLaplacian::power(int n) const {
+  const SparseRows outer = cotangents();
+  if (n == 1) return outer;
+  const SparseRows second = outer * fits();
+  if (n == 2) return second;
+  const SparseRows third = outer * SparseRows(inverse_areas().asDiagonal() * second);
+  Eigen::VectorXd inside = Eigen::VectorXd::Ones(third.rows());
+  for (std::size_t v = 0; v < position_.size(); ++v)
+    if (std::ranges::any_of(neighbours_[v], [&](std::size_t u) { return is_on_border(u); }))
+      inside[static_cast<Eigen::Index>(v)] = 0;
+  const Eigen::VectorXd beside = Eigen::VectorXd::Ones(third.rows()) - inside;
+  return SparseRows(inside.asDiagonal() * third) + SparseRows(beside.asDiagonal() * second);
 }
 
 }  // namespace meshgraft

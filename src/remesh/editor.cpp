@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kLeastCosine = 0.5;  // between a face and the reference beneath it
 constexpr double kTurned = 10;        // deviation of a face that leans more; farther than any leeway
-constexpr int kEdgeSamples = 3;       // inside an edge, where its distance from the reference is taken
 
 }  // namespace
 
@@ -97,8 +96,8 @@ double Editor::deviation(const LocalFace& f) const {
   double worst = share(middle);
   for (std::size_t k = 0; k < 3; ++k) {
     if (f.curve[k].valid()) continue;
-    for (int i = 1; i <= kEdgeSamples; ++i) {
-      const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (kEdgeSamples + 1));
+    for (int i = 1; i <= options_.edge_samples; ++i) {
+      const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (options_.edge_samples + 1));
       worst = std::max(worst, share(reference_->project(f.sheet, p, middle.face)));
     }
   }

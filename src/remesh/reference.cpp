@@ -48,6 +48,7 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
 
 Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
   const auto& faces = faces_[sheet.value];
+  if (brep_.sheets[sheet.value].made_up) return {p, hint.valid() ? hint : faces.front(), 0};
   const auto squared_distance = [&](FaceId f) {
     return squared_norm(p - closest_on_triangle(p, complex_.corners(f)).point);
   };

@@ -23,7 +23,8 @@ class Reference {
  public:
   Reference(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone);
 
-  /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near.
+  /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near. In a sheet that is
+  /// made up every place is its own foot.
   [[nodiscard]] Foot project(SheetId sheet, Vec3 p, FaceId hint) const;
   /// Where a vertex wanted at p may stand: the same, or in a planar sheet the foot on its plane (beneath which `hint`
   /// stays). A border that was pulled off the plane does not draw vertices after it.

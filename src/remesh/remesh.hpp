@@ -17,6 +17,7 @@ struct RemeshOptions {
   double min_quality = 0.5;      // wanted worst Q
   double wanted_mean = 0.9;      // mean Q below which fair faces are worked on too
   double max_deviation = 0.065;  // of new faces from the reference surface, share of the edge length of the input
+  int edge_samples = 3;          // inside an edge, where its distance from the reference is taken
 };
 
 /// Why a face is poor, as far as the input is to blame.

@@ -37,6 +37,7 @@ struct Sheet {
   std::vector<FaceId> faces;  // ascending
   bool planar = false;        // all within rounding of one plane, but for a border pulled off it a little
   Vec3 normal, origin;        // of that plane, and a point of it; zero otherwise
+  bool made_up = false;       // the faces close a hole: they are no surface to stay on, and all alike
 };
 
 struct Brep {

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <Eigen/SparseLU>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
 #include "geometry/quality.hpp"
+#include "patch/power_solver.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -179,6 +181,52 @@ TEST(DeformLaws, FixedNodesStayAndAFlatAreaStaysFlat) {
       EXPECT_NEAR(distance(position[v], hole.problem.position[v]), 0, 1e-9);
     }
   }
+}
+
+/// The hole as a system: rows and right sides of its free nodes for a power of the Laplacian.
+struct HoleSystem {
+  std::vector<int> unknown;
+  Eigen::MatrixX3d start;
+  SparseRows rows;
+  Eigen::MatrixX3d right;
+
+  HoleSystem(const Hole& hole, int power) {
+    const auto& p = hole.problem;
+    int n = 0;
+    for (const std::uint8_t free : p.is_free) unknown.push_back(free != 0 ? n++ : -1);
+    const SparseRows all = SurfaceLaplacian(p.faces, p.position).power(power);
+    start.setZero(n, 3), right.setZero(n, 3);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t v = 0; v < unknown.size(); ++v) {
+      if (unknown[v] < 0) continue;
+      start.row(unknown[v]) << p.position[v].x, p.position[v].y, p.position[v].z;
+      for (SparseRows::InnerIterator it(all, static_cast<Eigen::Index>(v)); it; ++it) {
+        const Vec3 q = p.position[static_cast<std::size_t>(it.col())];
+        if (const int column = unknown[static_cast<std::size_t>(it.col())]; column >= 0)
+          entries.emplace_back(unknown[v], column, it.value());
+        else
+          right.row(unknown[v]) -= it.value() * Eigen::RowVector3d(q.x, q.y, q.z);
+      }
+    }
+    rows.resize(n, n);
+    rows.setFromTriplets(entries.begin(), entries.end());
+  }
+};
+
+TEST(PowerSolver, SolvesInABoundedNumberOfIterationsHoweverWideTheHole) {
+  for (const int power : {1, 2, 3})
+    for (const double width : {4.0, 12.0, 36.0}) {
+      SCOPED_TRACE(testing::Message() << "power " << power << ", " << width << " edges wide");
+      const double edge = 0.25 / width;
+      const Hole hole(sphere(), edge, width);
+      const HoleSystem s(hole, power);
+      const PowerSolver solver(hole.problem.faces, hole.problem.position, s.unknown, power);
+      const auto x =
+          solver.solution(s.rows, s.right, s.start, {.settled = 1e-9 * edge, .share = 0, .most_iterations = 40});
+      ASSERT_TRUE(x);
+      const Eigen::MatrixX3d exact = Eigen::SparseLU<Eigen::SparseMatrix<double>>(s.rows).solve(s.right);
+      EXPECT_LT((*x - exact).cwiseAbs().maxCoeff(), 1e-7 * edge);
+    }
 }
 
 TEST(DeformLaws, TheScaleAndTheFrameDoNotMatter) {

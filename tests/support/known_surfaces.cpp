@@ -65,9 +65,9 @@ std::vector<KnownSurface> known_surfaces() {
            nearest_of_saddle}};
 }
 
-Result<Refill> refilled(const KnownSurface& surface, double size, Blend blend) {
+Result<Refill> refilled(const KnownSurface& surface, double size, Blend blend, double edges) {
   Refill r;
-  r.holed = without_faces(surface.model(size), [&](Vec3 p) { return distance(p, surface.centre) < 3 * size; });
+  r.holed = without_faces(surface.model(size), [&](Vec3 p) { return distance(p, surface.centre) < edges * size; });
   FillOptions options;
   options.zone.blend = blend;
   auto merged = fill(r.holed, options);

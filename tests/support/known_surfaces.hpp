@@ -30,8 +30,8 @@ struct Refill {
   double normal = 0;    // the largest, radians, of new faces from the same faces with their nodes on the surface
 };
 
-/// The surface without the faces within three edges of the centre, filled again.
-[[nodiscard]] Result<Refill> refilled(const KnownSurface& surface, double size, Blend blend);
+/// The surface without the faces within some edges of the centre, filled again.
+[[nodiscard]] Result<Refill> refilled(const KnownSurface& surface, double size, Blend blend, double edges = 3);
 
 /// The power of the edge length with which an error falls from the first to the last of kRefillSizes.
 [[nodiscard]] double order_of(std::span<const Refill> refills, double Refill::*error);
