@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cut/lattice.hpp"
+#include "geometry/angles.hpp"
 #include "geometry/quality.hpp"
 #include "merge/compatibility.hpp"
 #include "merge/inputs.hpp"
@@ -62,14 +63,6 @@ Fineness fineness_near(const Model& base, F&& height) {
   Fineness& found = n_near > 0 ? near : all;
   found.mean /= std::max(1.0, std::max(n_near, n_near > 0 ? n_near : n_all));
   return found;
-}
-
-/// Two directions that stand on `n` (of length 1) and on each other; n = u x v. Along the axes if n is.
-std::array<Vec3, 2> directions_across(Vec3 n) {
-  const Vec3 a{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-  const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0} : a.y <= a.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-  const Vec3 u = normalized(cross(least, n));
-  return {u, cross(n, u)};
 }
 
 /// As many digits as tell it from all other numbers: tools are told by the numbers they were given.

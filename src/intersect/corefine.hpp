@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "geometry/angles.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
@@ -19,11 +20,11 @@ struct CorefineOptions {
   /// rounding, so that decisions beyond it are well conditioned; far below what analysis sees.
   double weld_share = 1e-6;
   /// Faces flatter to each other than this and nearer than the tolerance overlap. Radians.
-  double contact_angle = 20.0 / 180.0 * 3.14159265358979323846;
+  double contact_angle = radians(20);
   Mode mode = Mode::kAuto;
   Overlap overlap = Overlap::kFuse;
   /// Edges folded more than this are sharp. Radians.
-  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;
+  double sharp_angle = radians(30);
 };
 
 /// The complex after all components have been imprinted on each other.

@@ -6,6 +6,7 @@
 
 #include "merge/outcome.hpp"
 #include "meshgraft/report.hpp"
+#include "zone/brep.hpp"
 
 namespace meshgraft {
 
@@ -41,7 +42,7 @@ struct Junction {
 [[nodiscard]] Junction junction_of(const Complex& complex);
 
 struct JunctionSummaryOptions {
-  double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;  // radians; sharper turns count as corners (5.3)
+  double turn_angle = BrepOptions{}.turn_angle;  // radians; sharper turns count as corners (5.3)
 };
 
 /// Chains the edges to polylines; the points follow. A polyline ends where other than two edges of

@@ -43,6 +43,17 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
   return text;
 }
 
+const char* hint_for(const BadFace* bad) {
+  using enum Cause::Kind;
+  const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
+                                                bad->cause.kind == kInputDetail);
+  if (between_lines)
+    return "where two lines are meant to be one, give a larger --tolerance, or --trim beyond=LENGTH for what sticks "
+           "out; "
+           "else another --size or --bandwidth, a smaller --min-quality, or --allow-poor";
+  return "give another --size or --bandwidth, a smaller --min-quality, or --allow-poor";
+}
+
 }  // namespace
 
 bool is_unavoidable(const BadFace& bad) {
@@ -80,7 +91,7 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
   }
   if (!avoidable.empty())
     verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
-                              "give another --size or --bandwidth, a smaller --min-quality, or --allow-poor",
+                              hint_for(causes.find(avoidable.front().face)),
                               outcome.parent_place(avoidable.front().face)});
   if (!unavoidable.empty())
     verdict.warnings.push_back({"poor-face", finding(outcome, unavoidable, causes, min_quality),

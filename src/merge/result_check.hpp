@@ -1,9 +1,9 @@
 // The result is checked before it is used: nothing that a merge must not do has happened.
 #pragma once
 
-#include <numbers>
 #include <vector>
 
+#include "geometry/angles.hpp"
 #include "merge/group_table.hpp"
 #include "merge/outcome.hpp"
 #include "meshgraft/options.hpp"
@@ -15,7 +15,7 @@ struct ResultCheckLimits {
   /// How far a new free edge may be from the free edge it replaces, over its length.
   double free_edge_distance = 0.1;
   /// Angle between two faces on one edge, in radians, below which one is folded onto the other.
-  double fold_angle = std::numbers::pi / 180;
+  double fold_angle = radians(1);
   /// Findings of each kind that are listed one by one.
   std::size_t max_listed = 10;
 };

@@ -66,6 +66,9 @@ class Stitcher {
     return move != nullptr ? move->to : input_position(n);
   }
 
+  using Place = std::array<double, 3>;
+  static Place key_of(Vec3 p) { return {p.x, p.y, p.z}; }
+
   void index_vertices() {
     vertex_of_.clear();
     for (std::size_t v = 0; v < out_.node.size(); ++v)
@@ -75,21 +78,19 @@ class Stitcher {
 
   /// A vertex put exactly where a node was that nothing else claims is that node: its label stays.
   void give_back_nodes() {
-    using Place = std::array<double, 3>;
-    const auto key = [](Vec3 p) { return Place{p.x, p.y, p.z}; };
     std::vector<std::pair<Place, NodeRef>> left;  // the base first where several inputs had one
     for (std::size_t v = 0; v < original_.n_vertices(); ++v) {
       const NodeRef n = original_.node[v];
       const bool replaced = std::ranges::binary_search(corefined_.replaced, n, {}, &Corefined::Replaced::node);
-      if (n.valid() && !replaced && !vertex_of(n).valid()) left.emplace_back(key(place_of_node(n)), n);
+      if (n.valid() && !replaced && !vertex_of(n).valid()) left.emplace_back(key_of(place_of_node(n)), n);
     }
     std::sort(left.begin(), left.end());
     std::vector<bool> taken(left.size());
     for (std::size_t v = 0; v < out_.node.size(); ++v) {
       if (out_.node[v].valid()) continue;
-      const auto it = std::ranges::lower_bound(left, key(final_.position[v]), {}, &std::pair<Place, NodeRef>::first);
+      const auto it = std::ranges::lower_bound(left, key_of(final_.position[v]), {}, &std::pair<Place, NodeRef>::first);
       const auto k = static_cast<std::size_t>(it - left.begin());
-      if (it == left.end() || it->first != key(final_.position[v]) || taken[k]) continue;
+      if (it == left.end() || it->first != key_of(final_.position[v]) || taken[k]) continue;
       taken[k] = true;
       out_.node[v] = it->second;
     }
@@ -100,17 +101,28 @@ class Stitcher {
     return it != vertex_of_.end() && it->first == n ? it->second : VertexId{};
   }
 
-  /// A new vertex of the final complex at a place; for vertices made by the intersection.
-  VertexId new_vertex_at(Vec3 p) const {
+  using NewVertices = std::vector<std::pair<Place, VertexId>>;  // ascending
+
+  NewVertices new_vertices() const {
+    NewVertices all;
     for (std::size_t v = 0; v < final_.n_vertices(); ++v)
-      if (!out_.node[v].valid() && final_.position[v] == p) return VertexId(v);
-    return {};
+      if (!out_.node[v].valid()) all.emplace_back(key_of(final_.position[v]), v);
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  /// The first new vertex of the final complex at a place; for vertices made by the intersection.
+  static VertexId vertex_at(Vec3 p, const NewVertices& among) {
+    const auto it = std::ranges::lower_bound(among, key_of(p), {}, &NewVertices::value_type::first);
+    return it != among.end() && it->first == key_of(p) ? it->second : VertexId{};
   }
 
   void find_swaps() {
+    if (corefined_.replaced.empty()) return;
+    const NewVertices made = new_vertices();
     for (const Corefined::Replaced& r : corefined_.replaced) {
       const NodeRef by = corefined_.complex.node[r.by.value];
-      const VertexId v = by.valid() ? vertex_of(by) : new_vertex_at(corefined_.complex.position[r.by.value]);
+      const VertexId v = by.valid() ? vertex_of(by) : vertex_at(corefined_.complex.position[r.by.value], made);
       if (v.valid()) swaps_.push_back({r.node, v});
     }
     std::sort(swaps_.begin(), swaps_.end());
@@ -192,10 +204,11 @@ class Stitcher {
   /// A kept face that stands for others too is in their groups as well.
   void join_groups(std::size_t f) {
     const ElementRef parent = final_.parent[f];
-    if (faces_of_inputs_.empty())
+    if (faces_of_inputs_.empty()) {
       for (std::size_t k = 0; k < original_.n_faces(); ++k)
         faces_of_inputs_.emplace_back(original_.parent[k], original_.face_groups[k]);
-    std::ranges::sort(faces_of_inputs_);
+      std::ranges::sort(faces_of_inputs_);
+    }
     const auto own = std::ranges::lower_bound(faces_of_inputs_, parent, {}, &std::pair<ElementRef, GroupSetId>::first);
     const GroupSetId beyond = graft_.group_sets.subtract(final_.face_groups[f], own->second);
     if (beyond != GroupSets::kEmpty) graft_.joined_elements.push_back({parent, beyond});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/blocks.hpp"
+#include "geometry/angles.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
@@ -88,8 +89,7 @@ SurfaceLaplacian::Weights SurfaceLaplacian::fit(std::size_t node) const {
     normal += area_vector({position_[v[0]], position_[v[1]], position_[v[2]]});
   }
   normal = normalized(normal);
-  const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 e = normalized(cross(normal, helper)), f = cross(normal, e);
+  const auto [e, f] = directions_across(normal);
   const Vec3 origin = position_[node];
   double h = 0;  // unit of length, so that the fit does not depend on the scale
   for (const std::size_t v : neighbours_[node]) h += distance(position_[v], origin);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/angles.hpp"
 #include "geometry/quality.hpp"
 #include "remesh/editor.hpp"
 #include "zone/ruler.hpp"
@@ -53,8 +54,7 @@ bool Editor::search_in_sheet(VertexId v, Goal goal) {
   LocalVertex to = mesh_.vertex(v);
   const Sheet& sheet = mesh_.sheet(to.sheet);
   const Vec3 normal = sheet.planar ? sheet.normal : reference_->normal(to.beneath);
-  const Vec3 helper = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-  const Vec3 e = normalized(cross(normal, helper)), f = cross(normal, e);
+  const auto [e, f] = directions_across(normal);
   const double wanted = size(v);
   const double before = (star_.*goal)(to.position, kInfinite);
   double best = before;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "geometry/angles.hpp"
 
 namespace meshgraft {
 
@@ -50,9 +51,9 @@ struct Brep {
 };
 
 struct BrepOptions {
-  double sharp_angle = 30.0 / 180.0 * 3.14159265358979323846;     // radians; edges folded more are curves
-  double line_turn_angle = 1.0 / 180.0 * 3.14159265358979323846;  // the same for curves that carry 1D elements
-  double turn_angle = 35.0 / 180.0 * 3.14159265358979323846;      // radians; sharper turns of a curve are corners (5.3)
+  double sharp_angle = radians(30);     // radians; edges folded more are curves
+  double line_turn_angle = radians(1);  // the same for curves that carry 1D elements
+  double turn_angle = radians(35);      // radians; sharper turns of a curve are corners (5.3)
   /// The complex before it was cut. Where pieces of faces were taken out, what is left of them does not
   /// tell the edge length of the input; without it, pieces do.
   const Complex* original = nullptr;
