@@ -94,8 +94,8 @@ class Editor {
   bool place(VertexId v, const LocalVertex& to);
   bool fill(VertexId v, const Fan& fan, CurveId closing);
   bool close_gap(const Fan& fan, CurveId closing);
-  /// Whether the chord between two arc lengths of a curve is as near to it as the ruler wants; a free edge keeps
-  /// its shape by the measure of the wanted size.
+  /// Whether the chord between two arc lengths of a curve is as near to it as the ruler wants, and by the measure of
+  /// the wanted size too.
   [[nodiscard]] bool follows(CurveId curve, double from, double to, double chord) const;
   [[nodiscard]] bool may_join_along_curve(VertexId v, const Reach& span, std::span<const Fan> fans) const;
   void split_faces(VertexId a, VertexId b, VertexId middle, std::span<const FaceId> faces);

@@ -17,7 +17,8 @@ constexpr int kMostTrials = 16;          // places looked at in one search
 constexpr double kLeastGain = 1e-2;      // share by which a move must lower its goal
 constexpr double kSameSize = 0.2;        // of the size: a vertex moved less is still wanted the same size
 constexpr double kClosestOnCurve = 0.2;  // to a neighbour, share of the room between both
-constexpr double kFreeSagitta = 0.07;    // of a free edge, share of the wanted size
+constexpr double kMostSagitta = 0.1;     // of a chord, share of the wanted size
+constexpr double kFreeSagitta = 0.07;    // the same of free edges
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -110,11 +111,11 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
 }
 
 bool Editor::follows(CurveId curve, double from, double to, double chord) const {
-  const double sagitta = reference_->sagitta(curve, from, to);
-  if (sagitta > kSagittaSlack * std::max(sizing_.slack(curve), RulerOptions{}.max_sagitta * chord)) return false;
-  // A long chord may cut off more than the outer shape of a mesh bears.
-  return !reference_->curve(curve).free ||
-         sagitta <= kFreeSagitta * sizing_.on_curve(curve, reference_->point(curve, 0.5 * (from + to)));
+  const double sagitta = reference_->sagitta(curve, from, to), slack = sizing_.slack(curve);
+  if (sagitta > kSagittaSlack * std::max(slack, RulerOptions{}.max_sagitta * chord)) return false;
+  // A long chord may cut off more than the outer shape of a mesh, or the place of a junction, bears.
+  const double share = reference_->curve(curve).free ? kFreeSagitta : kMostSagitta;
+  return sagitta <= slack || sagitta <= share * sizing_.on_curve(curve, reference_->point(curve, 0.5 * (from + to)));
 }
 
 bool Editor::place(VertexId v, const LocalVertex& to) {
