@@ -215,12 +215,7 @@ TEST(Fill, AFillingThatCrossesOtherElementsIsNoSecret) {
 TEST(Fill, BeamsAcrossAHoleAreNamed) {
   const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
   const Model holed = without_faces(plate, within({0.5, 0.5, 0}, 0.25));
-  ModelBuilder builder;
-  for (const Vec3 p : holed.position) builder.add_node(p);
-  for (std::size_t e = 0; e < holed.n_elements(); ++e) {
-    const auto v = holed.nodes_of(ElementId(e));
-    builder.add_face(v[0], v[1], v[2]);
-  }
+  ModelBuilder builder = scenes::faces_of(holed);
   const NodeId middle = builder.add_node({0.51, 0.47, 0});
   builder.add_line(NodeId(std::size_t{0}), NodeId(std::size_t{1}));  // along the border
   ModelBuilder with_beam = builder;

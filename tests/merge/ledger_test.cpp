@@ -42,12 +42,7 @@ Figures figures(const Model& model, std::size_t group) {
 
 Model random_groups(Vec3 origin) {
   const Model plain = scenes::plate(origin, {4, 0, 0}, {0, 4, 0}, 1, "ALL", 0.2);
-  ModelBuilder b;
-  for (const Vec3 p : plain.position) b.add_node(p);
-  for (std::size_t e = 0; e < plain.n_elements(); ++e) {
-    const auto n = plain.nodes_of(ElementId(e));
-    b.add_face(n[0], n[1], n[2]);
-  }
+  ModelBuilder b = scenes::faces_of(plain);
   const ElementId beam = b.add_line(plain.nodes[0], plain.nodes[1]);
   b.add_to_group("BEAM", beam);
   const auto n_groups = *rc::gen::inRange<std::size_t>(1, 12);
@@ -145,12 +140,7 @@ TEST(Ledger, QuadrilateralsAndBeamsCountByTheirSize) {
 
 TEST(Ledger, FiveHundredOverlappingGroupsAllAddUp) {
   const Model plain = scenes::plate({0, 0, 0}, {20, 0, 0}, {0, 20, 0}, 1);
-  ModelBuilder b;
-  for (const Vec3 p : plain.position) b.add_node(p);
-  for (std::size_t e = 0; e < plain.n_elements(); ++e) {
-    const auto n = plain.nodes_of(ElementId(e));
-    b.add_face(n[0], n[1], n[2]);
-  }
+  ModelBuilder b = scenes::faces_of(plain);
   for (std::size_t g = 0; g < 500; ++g)
     for (std::size_t e = g % 7; e < plain.n_elements(); e += 1 + g % 11) b.add_to_group(numbered(g), ElementId(e));
   HandMade m({b.build()});

@@ -191,6 +191,16 @@ Model welded(const Model& model) {
   return builder.build(model.path);
 }
 
+ModelBuilder faces_of(const Model& model) {
+  ModelBuilder builder;
+  for (const Vec3 p : model.position) builder.add_node(p);
+  for (std::size_t e = 0; e < model.n_elements(); ++e) {
+    const auto v = model.nodes_of(ElementId(e));
+    builder.add_face(v[0], v[1], v[2]);
+  }
+  return builder;
+}
+
 Model without_faces(const Model& model, const std::function<bool(Vec3 centroid)>& goes) {
   ModelBuilder builder;
   std::map<NodeId, NodeId> node;

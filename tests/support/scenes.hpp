@@ -45,6 +45,9 @@ struct Surface {
 /// The same model with nodes of equal coordinates made one.
 [[nodiscard]] Model welded(const Model& model);
 
+/// The nodes and triangles of a model with the same ids, without groups and properties, to be added to.
+[[nodiscard]] ModelBuilder faces_of(const Model& model);
+
 /// The triangles whose centroids do not go, with their attributes, and the nodes that they have, with labels and
 /// groups.
 [[nodiscard]] Model without_faces(const Model& model, const std::function<bool(Vec3 centroid)>& goes);
