@@ -16,7 +16,7 @@
 namespace meshgraft {
 namespace {
 
-using namespace merge_laws;  // NOLINT(google-build-using-namespace): the words of these tests
+using namespace merge_laws;
 
 TEST(Merge, BeamsAlongACrossedEdgeAreRebuiltWithTheirGroups) {
   Model plain = wall(0);

@@ -19,7 +19,7 @@
 namespace meshgraft {
 namespace {
 
-using namespace merge_laws;  // NOLINT(google-build-using-namespace): the words of these tests
+using namespace merge_laws;
 
 TEST(Merge, ACrossingPlateKeepsAllPromises) {
   const Model base = wall();
