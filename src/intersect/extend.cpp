@@ -19,6 +19,7 @@ constexpr double kInPlane = 0.5;      // sine of the angle by which a way may le
 constexpr double kLeastHeight = 0.2;  // of a face, over what it was
 constexpr double kAcross = 0.95;      // cosine to the normal from which the way to a surface is no way past its border
 constexpr double kStraight = 1e-3;    // sine of a turn in a line that nobody sees
+constexpr double kWithIt = 0.5;       // over the way back of an end that stays, from which the next one stays with it
 
 /// The surface that free edges end on.
 class Surface {
@@ -326,8 +327,25 @@ class Extender {
         bad.insert(bad.end(), complex_.face[f.value].begin(), complex_.face[f.value].end());
     }
     bool any = false;
-    for (const VertexId v : bad) any = target_.erase(v) > 0 || any;
+    while (!bad.empty()) {
+      const VertexId v = bad.back();
+      bad.pop_back();
+      const auto target = target_.find(v);
+      if (target == target_.end()) continue;
+      const Vec3 way = target->second - at(v);
+      target_.erase(target);
+      any = true;
+      for (const End& e : ends_.at(v))
+        if (dot(way, e.across) < 0 && goes_along(e.other, way)) bad.push_back(e.other);
+    }
     return any;
+  }
+
+  /// Whether an end goes the same way as one beside it does, about as far: the free edge is drawn back there as a whole
+  /// or not at all, so that it does not become a row of steps.
+  [[nodiscard]] bool goes_along(VertexId v, Vec3 way) const {
+    const auto target = target_.find(v);
+    return target != target_.end() && dot(target->second - at(v), way) >= kWithIt * squared_norm(way);
   }
 
   const Complex& complex_;

@@ -1,11 +1,14 @@
 #include "merge/trim.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 
 #include "core/union_find.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
+#include "geometry/quality.hpp"
 #include "merge/edges.hpp"
 
 namespace meshgraft {
@@ -22,11 +25,20 @@ struct Piece {
   bool is_held = false;    // by something other than its faces
 };
 
+/// Whether faces that stick out by a length are loose.
+using IsShort = std::function<bool(std::span<const FaceId>, double)>;
+
+struct LooseEnd {
+  std::vector<FaceId> faces;  // ascending
+  VertexId tip;               // farthest from the line that cuts it off
+  double length = 0;          // from that line to the tip
+};
+
 class Trimmer {
  public:
-  Trimmer(const Corefined& corefined, double length)
+  Trimmer(const Corefined& corefined, IsShort is_short)
       : complex_(corefined.complex),
-        length_(length),
+        is_short_(std::move(is_short)),
         borders_(corefined.junction_edges),
         piece_of_(pieces_of(complex_, borders_)) {
     collect_faces();
@@ -35,15 +47,16 @@ class Trimmer {
     find_holds();
   }
 
-  /// By face: 1 if it is in a loose end.
-  [[nodiscard]] std::vector<std::vector<FaceId>> loose_ends() const {
-    std::vector<std::uint32_t> loose;
-    for (const auto& [id, piece] : pieces_)
-      if (is_loose(piece)) loose.push_back(id);
-    std::vector<std::vector<FaceId>> ends;
-    for (const std::uint32_t id : loose)
-      if (std::ranges::none_of(behind_.at(id), [&](std::uint32_t b) { return std::ranges::binary_search(loose, b); }))
-        ends.push_back(pieces_.at(id).faces);
+  [[nodiscard]] std::vector<LooseEnd> loose_ends() const {
+    std::map<std::uint32_t, LooseEnd> loose;
+    for (const auto& [id, piece] : pieces_) {
+      if (!can_be_loose(piece)) continue;
+      const auto [tip, length] = farthest(piece);
+      if (is_short_(piece.faces, length)) loose.insert({id, {piece.faces, tip, length}});
+    }
+    std::vector<LooseEnd> ends;
+    for (const auto& [id, end] : loose)
+      if (std::ranges::none_of(behind_.at(id), [&](std::uint32_t b) { return loose.contains(b); })) ends.push_back(end);
     return ends;
   }
 
@@ -107,11 +120,11 @@ class Trimmer {
     }
   }
 
-  [[nodiscard]] bool is_loose(const Piece& p) const {
-    return !p.border.empty() && p.has_free_edge && p.is_cut_off && !p.is_held && is_one_line(p.border) && is_near(p);
+  [[nodiscard]] static bool can_be_loose(const Piece& p) {
+    return !p.border.empty() && p.has_free_edge && p.is_cut_off && !p.is_held && is_one_line(p.border);
   }
 
-  [[nodiscard]] bool is_one_line(std::span<const Edge> border) const {
+  [[nodiscard]] static bool is_one_line(std::span<const Edge> border) {
     UnionFind sets(border.size());
     std::map<VertexId, std::uint32_t> first;
     for (std::uint32_t e = 0; e < border.size(); ++e)
@@ -121,23 +134,27 @@ class Trimmer {
     return true;
   }
 
-  [[nodiscard]] bool is_near(const Piece& p) const {
+  /// The vertex of a piece that is farthest from its border, and how far; invalid and 0 if it has no vertex of its own.
+  [[nodiscard]] std::pair<VertexId, double> farthest(const Piece& p) const {
     std::vector<Box> boxes(p.border.size());
     for (std::size_t e = 0; e < boxes.size(); ++e)
       for (const VertexId v : p.border[e]) boxes[e].add(complex_.position[v.value]);
     const BoxTree tree(boxes);
-    return std::ranges::all_of(p.inside, [&](VertexId v) {
+    std::pair<VertexId, double> found{{}, 0};
+    for (const VertexId v : p.inside) {
       const Vec3 at = complex_.position[v.value];
       const auto squared_distance = [&](std::uint32_t e) {
         const auto& [a, b] = p.border[e];
         return squared_norm(at - closest_on_segment(at, complex_.position[a.value], complex_.position[b.value]).point);
       };
-      return tree.nearest(at, squared_distance).squared_distance < length_ * length_;
-    });
+      const double d = std::sqrt(tree.nearest(at, squared_distance).squared_distance);
+      if (d > found.second) found = {v, d};
+    }
+    return found;
   }
 
   const Complex& complex_;
-  double length_;
+  IsShort is_short_;
   std::span<const Edge> borders_;
   std::vector<std::uint32_t> piece_of_;                         // by face
   std::map<std::uint32_t, Piece> pieces_;                       // of parts
@@ -150,13 +167,43 @@ class Trimmer {
 std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft& graft, Dropped& dropped) {
   std::vector<DroppedEntry> entries;
   std::vector<std::uint8_t> marked(corefined.complex.n_faces());
-  for (const std::vector<FaceId>& faces : Trimmer(corefined, length).loose_ends()) {
-    for (const FaceId f : faces) marked[f.value] = 1;
-    entries.push_back(entry_of(corefined.complex, faces, graft.group_sets, graft.groups));
+  const auto is_short = [&](std::span<const FaceId>, double reach) { return reach < length; };
+  for (const LooseEnd& end : Trimmer(corefined, is_short).loose_ends()) {
+    for (const FaceId f : end.faces) marked[f.value] = 1;
+    entries.push_back(entry_of(corefined.complex, end.faces, graft.group_sets, graft.groups));
     entries.back().cause = "trimmed";
   }
   if (!entries.empty()) drop_faces(corefined, marked, graft.group_sets, graft.groups.size(), dropped);
   return entries;
+}
+
+std::vector<Warning> loose_end_warnings(Inputs inputs, const Corefined& corefined, Tolerance tolerance) {
+  const Complex& complex = corefined.complex;
+  const auto is_short = [&](std::span<const FaceId> faces, double reach) {
+    const auto size_of = [&](FaceId f) {
+      const ElementRef parent = complex.parent[f.value];
+      return mean_edge_length(inputs[parent.input]->corners(parent.element));
+    };
+    return std::ranges::any_of(faces, [&](FaceId f) { return reach <= tolerance.at(size_of(f)); });
+  };
+  std::map<std::uint32_t, std::vector<LooseEnd>> of_input;
+  for (LooseEnd& end : Trimmer(corefined, is_short).loose_ends())
+    of_input[complex.parent[end.faces.front().value].input].push_back(std::move(end));
+  std::vector<Warning> warnings;
+  for (const auto& [input, ends] : of_input) {
+    const LooseEnd& longest = *std::ranges::max_element(ends, {}, &LooseEnd::length);
+    if (!longest.tip.valid()) continue;
+    const std::string more = ends.size() == 1   ? ""
+                             : ends.size() == 2 ? ", and another no farther"
+                                                : ", and " + std::to_string(ends.size() - 1) + " others no farther";
+    warnings.push_back({"sticks-out",
+                        "an end of " + inputs[input]->path + " sticks out beyond the junction by " +
+                            text_of(longest.length) + " at " + text_of(complex.position[longest.tip.value]) + more +
+                            "; that is within the tolerance, but too deep for faces to be drawn back; --trim beyond "
+                            "with a greater length drops it",
+                        place_of(*inputs[input], complex.parent[longest.faces.front().value].element)});
+  }
+  return warnings;
 }
 
 }  // namespace meshgraft

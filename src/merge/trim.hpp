@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "merge/dropped.hpp"
+#include "merge/inputs.hpp"
+#include "meshgraft/options.hpp"
+#include "meshgraft/result.hpp"
 
 namespace meshgraft {
 
@@ -15,5 +18,9 @@ namespace meshgraft {
 ///  (3) nothing else holds: no 1D element beside its own edges, no other element, no other part.
 /// Of two pieces on either side of one line, neither is dropped if both are such.
 std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft& graft, Dropped& dropped);
+
+/// Warnings sticks-out, one for each part with loose ends no longer than the tolerance: how many, the longest of them,
+/// where. They are penetrations that were to be closed, and could not be drawn back.
+[[nodiscard]] std::vector<Warning> loose_end_warnings(Inputs inputs, const Corefined& corefined, Tolerance tolerance);
 
 }  // namespace meshgraft

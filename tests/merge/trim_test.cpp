@@ -129,5 +129,44 @@ TEST(Trim, AreaIsKeptOrDropped) {
   }));
 }
 
+/// A rib of square faces, whose foot is in one row of nodes.
+Model straight_rib(double below) {
+  return scenes::plate({0.33, 0.97, -below}, {1.28, 0, 0}, {0, 0, 0.6}, kSize, "RIB");
+}
+
+std::ptrdiff_t n_sticking_out(const Report& report) {
+  return std::ranges::count(report.warnings, "sticks-out", &Warning::name);
+}
+
+TEST(Penetration, WithinTheToleranceIsDrawnBackAsAWholeOrTold) {
+  const Model base = wall();
+  for (const double below : {0.04, 0.07, 0.08, 0.09, 0.12}) {  // 0.08 is the limit, but for rounding
+    SCOPED_TRACE(below);
+    const std::vector<Model> parts{straight_rib(below)};
+    MergeOptions options;
+    options.tolerance = {1.1 * below, false};
+    const auto m = merge(base, parts, options);
+    ASSERT_TRUE(m) << to_string(m.error());
+    for (const Error& e : m->report.broken_promises) ADD_FAILURE() << to_string(e);
+    const bool told = n_sticking_out(m->report) == 1;
+    if (below != 0.08) {
+      EXPECT_EQ(told, below > 0.08);
+    }
+    EXPECT_EQ(told, m->report.moved.empty());
+    EXPECT_NEAR(std::ranges::min(apply(base, parts, *m).position, {}, &Vec3::z).z, told ? -below : 0, 1e-12);
+  }
+}
+
+TEST(Penetration, IsNotToldOnceItIsTrimmed) {
+  const Model base = wall();
+  const std::vector<Model> parts{straight_rib(0.12)};
+  MergeOptions options = trimming(0.13);
+  options.tolerance = {0.15, false};
+  const auto m = merge(base, parts, options);
+  ASSERT_TRUE(m) << to_string(m.error());
+  EXPECT_EQ(m->report.dropped.size(), 1u);
+  EXPECT_EQ(n_sticking_out(m->report), 0);
+}
+
 }  // namespace
 }  // namespace meshgraft
