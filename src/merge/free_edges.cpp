@@ -91,16 +91,30 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
   for (const FaceOnEdge& e : old_edges) old_segments.push_back(moved_segment(outcome, e));
   for (const FaceOnEdge& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
-  for (const JunctionEdge& e : junction_of(after).edges) new_segments.push_back(segment(after, e.ends[0], e.ends[1]));
-  const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments));
+  std::vector<Segment> joined;
+  for (const JunctionEdge& e : junction_of(after).edges) joined.push_back(segment(after, e.ends[0], e.ends[1]));
+  const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments)), is_joined(std::move(joined));
 
-  const auto matches = [&](const Complex& complex, const FaceOnEdge& e, const Segment& s,
-                           std::span<const NodePair> known, const Segments& segments) {
-    const ElementRef parent = complex.parent[e.face.value];
+  const auto is_known = [&](const Complex& complex, const FaceOnEdge& e, std::span<const NodePair> known) {
     const NodePair nodes = key(complex, e);
-    if (nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes)) return true;
+    return nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes);
+  };
+  const auto allowed = [&](const Complex& complex, const FaceOnEdge& e, const Segment& s) {
+    const ElementRef parent = complex.parent[e.face.value];
     const double input_length = mean_edge_length(outcome.inputs[parent.input]->corners(parent.element));
-    return segments.cover(s, std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length)));
+    return std::max(max_distance * distance(s[0], s[1]), tolerance.at(input_length));
+  };
+  const auto was_there = [&](const FaceOnEdge& e) {
+    const Segment s = segment(after, e.low, e.high);
+    return is_known(after, e, old_keys) || was_free.cover(s, allowed(after, e, s));
+  };
+  // A rim that is a junction now is as fine as that, which may be coarser.
+  const auto is_covered = [&](const FaceOnEdge& e) {
+    const Segment s = moved_segment(outcome, e);
+    const double near = allowed(before, e, s);
+    return is_known(before, e, new_keys) || std::ranges::all_of(places_on(s), [&](Vec3 p) {
+             return is_free.are_near(p, near) || is_joined.are_near(p, near, max_distance);
+           });
   };
   // An edge whose ends became one with others, where nothing else changed.
   const auto is_there = [&](const FaceOnEdge& e) {
@@ -109,10 +123,9 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   };
   FreeEdgeChanges changes;
   for (const FaceOnEdge& e : new_edges)
-    if (!matches(after, e, segment(after, e.low, e.high), old_keys, was_free)) changes.cracks.push_back(e);
+    if (!was_there(e)) changes.cracks.push_back(e);
   for (const FaceOnEdge& e : old_edges)
-    if (!matches(before, e, moved_segment(outcome, e), new_keys, is_free) && !is_there(e) &&
-        !went_with_its_face(outcome, before.parent[e.face.value]))
+    if (!is_covered(e) && !is_there(e) && !went_with_its_face(outcome, before.parent[e.face.value]))
       changes.closed.push_back(e);
   return changes;
 }

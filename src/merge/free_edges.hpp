@@ -15,7 +15,8 @@ struct FreeEdgeChanges {
 };
 
 /// Compares free edges around whatever changed. Edges correspond if they have the same nodes, or if
-/// ends and middle of one are within `max_distance` times its length, or the tolerance, of the others.
+/// ends and middle of one are within `max_distance` times its length, or the tolerance, of the others. Edges of the
+/// junction count by their own length instead, if that is greater.
 /// Edges of what was dropped count as gone with reason, its borders as free before.
 [[nodiscard]] FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& tolerance,
                                                 double max_distance);

@@ -136,5 +136,30 @@ void joins_what_is_in_reach(bool pipe) {
 TEST(GapsInPart, AFootIsJoinedToAWallAsFarAsItIsInReach) { joins_what_is_in_reach(false); }
 TEST(GapsInPart, AFootIsJoinedToAPipeAsFarAsItIsInReach) { joins_what_is_in_reach(true); }
 
+Model tube(std::size_t around, std::size_t along, const std::string& group,
+           const std::function<Vec3(double, double)>& at) {
+  return scenes::surface(
+      {[&](double u, double v) { return at(2 * std::numbers::pi * u, v); }, around, along, true, false, 0, 1, group});
+}
+
+TEST(GapsInPart, ANozzleWhoseRimIsFinerThanItsFacesIsJoinedWithAsCoarseACurve) {
+  const double r = 50, nozzle = r / 2;
+  const Model base = tube(40, 30, "SHELL", [&](double a, double t) {
+    return Vec3{r * std::cos(a), r * std::sin(a), 400 * t - 200};
+  });
+  const Model part = tube(32, 12, "NOZZLE", [&](double a, double t) {
+    const Vec3 rim{0, nozzle * std::cos(a), nozzle * std::sin(a)};
+    return rim + Vec3{std::lerp(std::sqrt(r * r - rim.y * rim.y), 4 * r, t), 0, 0};
+  });
+  MergeOptions options;
+  options.tolerance = {0.05, true};
+  const auto merged = merge(base, std::span(&part, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  ASSERT_EQ(merged->report.junction.size(), 1u);
+  EXPECT_TRUE(merged->report.junction[0].closed);
+  scenes::expect_sound(apply(base, std::span(&part, 1), *merged));
+}
+
 }  // namespace
 }  // namespace meshgraft
