@@ -3,6 +3,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include "merge/coverage.hpp"
+#include "merge/creases.hpp"
 #include "merge/faults.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/labels.hpp"
@@ -63,16 +64,17 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   QualityVerdict quality;
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
-  std::vector<Warning> near_misses;
+  std::vector<Warning> near_misses, creases;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] { fidelity = fidelity_of(outcome, options.tolerance); },
                        [&] { coverage = coverage_of(outcome, options.tolerance); },
-                       [&] { near_misses = near_miss_warnings(outcome); },
+                       [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
                        [&] { quality = quality_of(outcome, bad, options.min_quality); },
                        [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
   append(report.warnings, std::move(near_misses));
+  append(report.warnings, std::move(creases));
   report.quality = std::move(quality.summary);
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));

@@ -1,6 +1,7 @@
 #include "merge/edges.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace meshgraft {
 
@@ -16,6 +17,19 @@ std::vector<FaceOnEdge> edge_uses(const Complex& complex, std::span<const std::u
   }
   std::sort(uses.begin(), uses.end());
   return uses;
+}
+
+Vec3 across(const Complex& complex, const FaceOnEdge& use) {
+  const Vec3 from = complex.position[use.low.value], along = normalized(complex.position[use.high.value] - from);
+  Vec3 to;
+  for (const VertexId v : complex.face[use.face.value])
+    if (v != use.low && v != use.high) to = complex.position[v.value] - from;
+  return to - dot(to, along) * along;
+}
+
+double fold_angle(const Complex& complex, const FaceOnEdge& a, const FaceOnEdge& b) {
+  const Vec3 u = across(complex, a), w = across(complex, b);
+  return std::atan2(norm(cross(u, w)), -dot(u, w));
 }
 
 }  // namespace meshgraft

@@ -20,6 +20,12 @@ struct FaceOnEdge {
 /// vertex; empty: all).
 [[nodiscard]] std::vector<FaceOnEdge> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted = {});
 
+/// From an edge to the third corner of a face on it, at right angles to the edge.
+[[nodiscard]] Vec3 across(const Complex& complex, const FaceOnEdge& use);
+
+/// Angle between two faces on one edge, radians: 0 if the surface is flat there.
+[[nodiscard]] double fold_angle(const Complex& complex, const FaceOnEdge& a, const FaceOnEdge& b);
+
 /// Calls f(std::span<const FaceOnEdge>) once for each edge.
 template <class F>
 void for_each_edge(std::span<const FaceOnEdge> uses, F&& f) {

@@ -29,12 +29,6 @@ Segment segment(const Complex& complex, VertexId a, VertexId b) {
   return {complex.position[a.value], complex.position[b.value]};
 }
 
-/// An edge of the workpiece with its nodes where they were moved to.
-Segment moved_segment(const Outcome& outcome, const FaceOnEdge& e) {
-  const Complex& before = outcome.original;
-  return {outcome.places.of(before.node[e.low.value]), outcome.places.of(before.node[e.high.value])};
-}
-
 NodePair key(const Complex& complex, const FaceOnEdge& e) {
   const NodeRef a = complex.node[e.low.value], b = complex.node[e.high.value];
   return {std::min(a, b), std::max(a, b)};
@@ -89,7 +83,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
 
   // What was dropped takes free edges with it and leaves new ones.
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
-  for (const FaceOnEdge& e : old_edges) old_segments.push_back(moved_segment(outcome, e));
+  for (const FaceOnEdge& e : old_edges) old_segments.push_back({outcome.moved(e.low), outcome.moved(e.high)});
   for (const FaceOnEdge& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
   std::vector<Segment> joined;
   for (const JunctionEdge& e : junction_of(after).edges) joined.push_back(segment(after, e.ends[0], e.ends[1]));
@@ -110,7 +104,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   };
   // A rim that is a junction now is as fine as that, which may be coarser.
   const auto is_covered = [&](const FaceOnEdge& e) {
-    const Segment s = moved_segment(outcome, e);
+    const Segment s{outcome.moved(e.low), outcome.moved(e.high)};
     const double near = allowed(before, e, s);
     return is_known(before, e, new_keys) || std::ranges::all_of(places_on(s), [&](Vec3 p) {
              return is_free.are_near(p, near) || is_joined.are_near(p, near, max_distance);

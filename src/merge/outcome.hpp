@@ -41,6 +41,8 @@ struct Outcome {
   [[nodiscard]] bool is_changed(FaceId f) const { return stitched.changed[f.value] != 0; }
   /// Mean edge length of the parent of a face: the fineness of the input there.
   [[nodiscard]] double input_edge_length(FaceId f) const;
+  /// Place of a vertex of the workpiece, nodes having been moved to close gaps.
+  [[nodiscard]] Vec3 moved(VertexId original_vertex) const { return places.of(original.node[original_vertex.value]); }
   /// Label in the merged model.
   [[nodiscard]] std::int64_t label(FaceId f) const;
   /// "new element 57 at (1, 2, 0.5)", the place being the centroid.

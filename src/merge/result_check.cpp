@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <span>
 
 #include "check/face_pairs.hpp"
@@ -239,21 +239,13 @@ class ResultCheck {
         for (std::size_t j = i + 1; j < uses.size(); ++j) {
           const FaceId f = uses[i].face, g = uses[j].face;
           if (!outcome_.is_changed(f) && !outcome_.is_changed(g)) continue;
-          const Vec3 a = across(uses[i]), b = across(uses[j]);
-          if (std::atan2(norm(cross(a, b)), dot(a, b)) >= limits_.fold_angle || are_on_the_same_nodes(f, g)) continue;
+          if (fold_angle(complex_, uses[i], uses[j]) <= std::numbers::pi - limits_.fold_angle ||
+              are_on_the_same_nodes(f, g))
+            continue;
           findings.add(outcome_.text(g) + " is folded onto " + outcome_.text(f), outcome_.parent_place(g));
         }
     });
     return {findings.all(), {}};
-  }
-
-  /// From an edge to the third corner of a face on it, at right angles to the edge.
-  [[nodiscard]] Vec3 across(const FaceOnEdge& use) const {
-    const Vec3 from = complex_.position[use.low.value], along = normalized(complex_.position[use.high.value] - from);
-    Vec3 to;
-    for (const VertexId v : complex_.face[use.face.value])
-      if (v != use.low && v != use.high) to = complex_.position[v.value] - from;
-    return to - dot(to, along) * along;
   }
 
   [[nodiscard]] bool are_on_the_same_nodes(FaceId f, FaceId g) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "merge/coverage.hpp"
+#include "merge/creases.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/hand_made.hpp"
 #include "merge/quality_summary.hpp"
@@ -196,6 +197,33 @@ TEST(Fidelity, FlatSplitsAreOnTheSurface) {
   const FidelityVerdict verdict = fidelity_of(m.outcome(), Tolerance{});
   EXPECT_EQ(verdict.figures.max_distance, 0);
   EXPECT_TRUE(verdict.broken.empty());
+}
+
+TEST(Creases, AFoldOfNewFacesIsToldWhereTheInputHasNone) {
+  for (const double height : {0.1, 0.5}) {  // of a node over a face with edges of about 1: folds of 26 and 96 degrees
+    HandMade m({plate()});
+    const VertexId c = m.split_face(FaceId(std::size_t{12}));
+    m.final_complex.position[c.value].z = height;
+    m.stitch_now();
+    const std::vector<Warning> told = crease_warnings(m.outcome());
+    ASSERT_EQ(told.size(), height > 0.1 ? 1u : 0u);
+    if (told.empty()) continue;
+    EXPECT_EQ(told[0].name, "new-crease");
+    EXPECT_NE(told[0].what.find(" others, by less"), std::string::npos) << told[0].what;
+  }
+}
+
+TEST(Creases, EdgesThatWereSharpOrThatNoNewFaceHasAreNone) {
+  Model bent = plate();
+  for (Vec3& p : bent.position) p.z = p.x > 2 ? p.x - 2 : 0;  // along x = 2, by 45 degrees
+  HandMade beside({bent});
+  for (std::size_t f = 0; f < bent.n_elements(); ++f) beside.split_face(FaceId(f));
+  beside.stitch_now();
+  EXPECT_TRUE(crease_warnings(beside.outcome()).empty());
+  HandMade elsewhere({bent});
+  elsewhere.split_face(FaceId(std::size_t{0}));
+  elsewhere.stitch_now();
+  EXPECT_TRUE(crease_warnings(elsewhere.outcome()).empty());
 }
 
 TEST(Coverage, FlatSplitsCoverWhatWasThere) {
