@@ -88,7 +88,7 @@ double Editor::deviation(const LocalFace& f) const {
   for (const VertexId v : f.v)
     if (mesh_.vertex(v).dimension == Dimension::kSheet) hint = mesh_.vertex(v).beneath;
   const auto share = [&](const Foot& foot) {
-    return foot.distance / (options_.max_deviation * reference_->edge_length(foot.face));
+    return foot.distance / (options_.max_deviation * reference_->least_edge_length(foot.face));
   };
   const Foot middle = reference_->project(f.sheet, centroid(t), hint);
   const double cosine = dot(unit_normal(t), reference_->normal(middle.face));

@@ -4,12 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/closest.hpp"
 #include "zone/parents.hpp"
 #include "zone/ruler.hpp"
 
 namespace meshgraft {
+namespace {
+
+constexpr double kFine = 0.5;  // smaller neighbours are slivers rather than a finer mesh
+
+/// By face: the least length of the faces at its corners.
+std::vector<double> least_around(const Complex& complex, std::span<const double> length) {
+  std::vector<double> at_vertex(complex.n_vertices(), std::numeric_limits<double>::infinity());
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    for (const VertexId v : complex.face[f]) at_vertex[v.value] = std::min(at_vertex[v.value], length[f]);
+  std::vector<double> least(complex.n_faces());
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    const auto [a, b, c] = complex.face[f];
+    const double around = std::min({at_vertex[a.value], at_vertex[b.value], at_vertex[c.value]});
+    least[f] = std::max(kFine * length[f], around);
+  }
+  return least;
+}
+
+}  // namespace
 
 Reference::Reference(const Complex& complex, const Brep& brep, const std::vector<std::uint8_t>& in_zone)
     : complex_(complex),
@@ -39,6 +59,7 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
   edge_length_.reserve(complex.n_faces());
   for (const std::uint32_t parent : parents.of_face)
     edge_length_.push_back(edge_length_of_area(norm(area_vector[parent])));
+  least_edge_length_ = least_around(complex, edge_length_);
   for (std::size_t c = 0; c < brep.curves.size(); ++c) {
     if (!curve_used[c]) continue;
     for (const VertexId v : brep.curves[c].chain) points_[c].push_back(complex.position[v.value]);

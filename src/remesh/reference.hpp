@@ -32,6 +32,8 @@ class Reference {
   [[nodiscard]] Vec3 normal(FaceId f) const;  // unit
   /// Edge length of the input face that a face of the complex is a piece of.
   [[nodiscard]] double edge_length(FaceId f) const { return edge_length_[f.value]; }
+  /// The same of the smallest one around it, which would be lost first; at least `kFine` of its own.
+  [[nodiscard]] double least_edge_length(FaceId f) const { return least_edge_length_[f.value]; }
 
   [[nodiscard]] const Curve& curve(CurveId c) const { return brep_.curves[c.value]; }
   [[nodiscard]] std::span<const Vec3> polyline(CurveId c) const { return points_[c.value]; }
@@ -53,6 +55,7 @@ class Reference {
   std::vector<std::vector<FaceId>> faces_;  // by sheet, ascending
   std::vector<BoxTree> trees_;              // by sheet
   std::vector<double> edge_length_;         // by face
+  std::vector<double> least_edge_length_;   // by face
   std::vector<std::vector<Vec3>> points_;   // by curve; empty if no edge of it is in the zone
   std::vector<std::vector<double>> arcs_;
 };

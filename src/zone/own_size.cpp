@@ -27,6 +27,7 @@ class Around {
  public:
   void add(double mean_edge_length, Vec3 area_vector) {
     length_ += mean_edge_length, ++count_;
+    least_ = std::min(least_, mean_edge_length);
     normal_ += area_vector;
   }
   /// After all of them were added.
@@ -35,12 +36,13 @@ class Around {
   /// A vertex stands above the middle of an equilateral face of size s around it by the slope of the faces
   /// times s / sqrt(3).
   [[nodiscard]] double size(double max_height) const {
-    const double length = length_ / count_, slope = across_ / norm(normal_);
-    return length * std::min(1.0, std::numbers::sqrt3 * max_height / slope);
+    const double slope = across_ / norm(normal_);
+    return std::min(length_ / count_, std::numbers::sqrt3 * max_height * least_ / slope);
   }
 
  private:
   double length_ = 0, across_ = 0;  // sums: of mean edge lengths; of areas seen along the normal
+  double least_ = std::numeric_limits<double>::infinity();  // of the mean edge lengths
   int count_ = 0;
   Vec3 normal_;
 };

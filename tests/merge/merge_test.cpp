@@ -202,6 +202,21 @@ TEST(Merge, CoarseTubesKeepTheirSurfaceAndTheirEnds) {
   EXPECT_GE(m.report.quality.mean, 0.83);
 }
 
+TEST(Merge, SmallFacesAmongLargeOnesOfACurvedMeshAreFollowedToo) {
+  const auto uneven = [](double t) { return t + 0.5 / (14 * std::numbers::pi) * std::sin(14 * std::numbers::pi * t); };
+  const auto bumps = [&](double u, double v) {
+    const double x = 2 * uneven(u), y = 2 * uneven(v);
+    return Vec3{x, y, 0.08 * std::cos(6 * x) * std::cos(7 * y)};
+  };
+  for (const double y : {0.78, 1.02}) {
+    const Model base = scenes::surface({bumps, 21, 21, false, false, 0.2, 1, "BUMPS"});
+    const Merged m = merged(base, {stiffener(0.33, 1.61, y, 0.4, 0.4, 0.07)});
+    for (const Error& e : m.report.broken_promises) ADD_FAILURE() << to_string(e);
+    EXPECT_GE(m.report.quality.min, 0.5);
+    EXPECT_LE(m.report.fidelity.removed.max_distance_relative, 0.1);
+  }
+}
+
 TEST(Merge, AnEndNearTheJunctionKeepsItsShape) {
   // A pipe of 20 facets through a wall of 40, askew: the end inside is three rows from the junction.
   const auto run = [](double u, double v) {
