@@ -19,7 +19,7 @@ constexpr double kInPlane = 0.5;      // sine of the angle by which a way may le
 constexpr double kLeastHeight = 0.2;  // of a face, over what it was
 constexpr double kAcross = 0.95;      // cosine to the normal from which the way to a surface is no way past its border
 constexpr double kStraight = 1e-3;    // sine of a turn in a line that nobody sees
-constexpr double kWithIt = 0.5;       // over the way back of an end that stays, from which the next one stays with it
+constexpr double kWithIt = 0.9;       // over the way back of an end that stays, from which those beside it stay too
 
 /// The surface that free edges end on.
 class Surface {
@@ -326,26 +326,32 @@ class Extender {
       if (dot(area_vector(after), before) < kLeastHeight * squared_norm(before))
         bad.insert(bad.end(), complex_.face[f.value].begin(), complex_.face[f.value].end());
     }
-    bool any = false;
-    while (!bad.empty()) {
-      const VertexId v = bad.back();
-      bad.pop_back();
-      const auto target = target_.find(v);
-      if (target == target_.end()) continue;
-      const Vec3 way = target->second - at(v);
-      target_.erase(target);
-      any = true;
-      for (const End& e : ends_.at(v))
-        if (dot(way, e.across) < 0 && goes_along(e.other, way)) bad.push_back(e.other);
-    }
-    return any;
+    make_distinct(bad);
+    std::erase_if(bad, [&](VertexId v) { return !target_.contains(v); });
+    std::ranges::stable_sort(bad, {}, [&](VertexId v) { return way(v); });
+    for (const VertexId v : bad)
+      if (target_.contains(v)) stay_with(v);
+    return !bad.empty();
   }
 
-  /// Whether an end goes the same way as one beside it does, about as far: the free edge is drawn back there as a whole
-  /// or not at all, so that it does not become a row of steps.
-  [[nodiscard]] bool goes_along(VertexId v, Vec3 way) const {
-    const auto target = target_.find(v);
-    return target != target_.end() && dot(target->second - at(v), way) >= kWithIt * squared_norm(way);
+  [[nodiscard]] double way(VertexId v) const { return distance(target_.at(v), at(v)); }
+
+  /// Takes back an end, and those beside it along the free edge that would be drawn back as far or farther: it is drawn
+  /// back there as a whole or not at all, so that it does not become a row of steps.
+  void stay_with(VertexId first) {
+    const double least = kWithIt * way(first);
+    std::vector<VertexId> open{first};
+    while (!open.empty()) {
+      const VertexId v = open.back();
+      open.pop_back();
+      const auto target = target_.find(v);
+      if (target == target_.end()) continue;
+      const Vec3 to = target->second - at(v);
+      target_.erase(target);
+      for (const End& e : ends_.at(v))
+        if (const auto next = target_.find(e.other); dot(to, e.across) < 0 && next != target_.end())
+          if (dot(next->second - at(e.other), e.across) < 0 && way(e.other) >= least) open.push_back(e.other);
+    }
   }
 
   const Complex& complex_;

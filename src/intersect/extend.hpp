@@ -23,13 +23,15 @@ struct Extensions {
   std::vector<Corefined::HalfReached> half_reached;  // the other ends of these edges, each once
 };
 
-/// Lengths and angles of extension.
+/// Over the tolerance: how far a leaning part may go along itself, which is farther than the gap is wide. This is a
+/// part that leans 30 degrees.
+inline constexpr double kLongestWay = 2;
+
+/// Lengths of extension.
 struct ExtendRule {
   const Tolerance& tolerance;  // by the smaller of the mean edge lengths of the faces across the gap
   const SnapRule& snap;        // what is nearer than its weld length is there already
-  /// Over the tolerance: how far a leaning part may go along itself, which is farther than the gap is wide.
-  /// 2 is a part that leans 30 degrees.
-  double longest_way = 2;
+  double longest_way = kLongestWay;
 };
 
 /// Extensions of the free edges of `own`, faces of one component, to the surface of `other`.

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 
 #include "core/union_find.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
+#include "intersect/extend.hpp"
 #include "merge/edges.hpp"
 
 namespace meshgraft {
@@ -25,19 +27,19 @@ struct Piece {
   bool is_held = false;    // by something other than its faces
 };
 
-/// Whether faces that stick out by a length are loose.
-using IsShort = std::function<bool(std::span<const FaceId>, double)>;
-
 struct LooseEnd {
   std::vector<FaceId> faces;  // ascending
   VertexId tip;               // farthest from the line that cuts it off
   double length = 0;          // from that line to the tip
 };
 
+using IsShort = std::function<bool(const LooseEnd&)>;
+
 class Trimmer {
  public:
-  Trimmer(const Corefined& corefined, IsShort is_short)
-      : complex_(corefined.complex),
+  Trimmer(const Complex& original, const Corefined& corefined, IsShort is_short)
+      : original_(original),
+        complex_(corefined.complex),
         is_short_(std::move(is_short)),
         borders_(corefined.junction_edges),
         piece_of_(pieces_of(complex_, borders_)) {
@@ -52,7 +54,8 @@ class Trimmer {
     for (const auto& [id, piece] : pieces_) {
       if (!can_be_loose(piece)) continue;
       const auto [tip, length] = farthest(piece);
-      if (is_short_(piece.faces, length)) loose.insert({id, {piece.faces, tip, length}});
+      LooseEnd end{piece.faces, tip, length};
+      if (is_short_(end)) loose.emplace(id, std::move(end));
     }
     std::vector<LooseEnd> ends;
     for (const auto& [id, end] : loose)
@@ -103,8 +106,14 @@ class Trimmer {
     for (std::size_t v = 0; v < only_.size(); ++v)
       if (const auto at = pieces_.find(only_[v]); at != pieces_.end()) {
         at->second.inside.emplace_back(v);
-        if (complex_.state[v] != VertexState::kOpen) at->second.is_held = true;
+        if (is_held(v)) at->second.is_held = true;
       }
+  }
+
+  /// By the input; the junction pins vertices in which a free edge turns.
+  [[nodiscard]] bool is_held(std::size_t v) const {
+    const std::vector<VertexState>& state = v < original_.n_vertices() ? original_.state : complex_.state;
+    return state[v] != VertexState::kOpen;
   }
 
   /// 1D elements that end on a piece and do not lie on its edges.
@@ -153,6 +162,7 @@ class Trimmer {
     return found;
   }
 
+  const Complex& original_;
   const Complex& complex_;
   IsShort is_short_;
   std::span<const Edge> borders_;
@@ -164,11 +174,12 @@ class Trimmer {
 
 }  // namespace
 
-std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft& graft, Dropped& dropped) {
+std::vector<DroppedEntry> trim(const Complex& original, Corefined& corefined, double length, const Graft& graft,
+                               Dropped& dropped) {
   std::vector<DroppedEntry> entries;
   std::vector<std::uint8_t> marked(corefined.complex.n_faces());
-  const auto is_short = [&](std::span<const FaceId>, double reach) { return reach < length; };
-  for (const LooseEnd& end : Trimmer(corefined, is_short).loose_ends()) {
+  const auto is_short = [&](const LooseEnd& end) { return end.length < length; };
+  for (const LooseEnd& end : Trimmer(original, corefined, is_short).loose_ends()) {
     for (const FaceId f : end.faces) marked[f.value] = 1;
     entries.push_back(entry_of(corefined.complex, end.faces, graft.group_sets, graft.groups));
     entries.back().cause = "trimmed";
@@ -177,30 +188,47 @@ std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft&
   return entries;
 }
 
-std::vector<Warning> loose_end_warnings(Inputs inputs, const Corefined& corefined, Tolerance tolerance) {
+namespace {
+
+/// From the tip of a loose end to the nearest face of what it is to be joined with.
+double depth(const Complex& complex, const LooseEnd& end) {
+  const std::uint32_t own = complex.component[end.faces.front().value];
+  const Vec3 tip = complex.position[end.tip.value];
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < complex.n_faces(); ++f)
+    if (complex.joins.are_joined(complex.component[f], own))
+      least = std::min(least, distance(tip, closest_on_triangle(tip, complex.corners(FaceId(f))).point));
+  return least;
+}
+
+}  // namespace
+
+std::vector<Warning> loose_end_warnings(Inputs inputs, const Complex& original, const Corefined& corefined,
+                                        Tolerance tolerance) {
   const Complex& complex = corefined.complex;
-  const auto is_short = [&](std::span<const FaceId> faces, double reach) {
-    const auto size_of = [&](FaceId f) {
+  const auto is_short = [&](const LooseEnd& end) {
+    if (!end.tip.valid()) return false;
+    double allowed = 0;
+    for (const FaceId f : end.faces) {
       const ElementRef parent = complex.parent[f.value];
-      return mean_edge_length(inputs[parent.input]->corners(parent.element));
-    };
-    return std::ranges::any_of(faces, [&](FaceId f) { return reach <= tolerance.at(size_of(f)); });
+      allowed = std::max(allowed, tolerance.at(mean_edge_length(inputs[parent.input]->corners(parent.element))));
+    }
+    return end.length <= kLongestWay * allowed && depth(complex, end) <= allowed;
   };
   std::map<std::uint32_t, std::vector<LooseEnd>> of_input;
-  for (LooseEnd& end : Trimmer(corefined, is_short).loose_ends())
+  for (LooseEnd& end : Trimmer(original, corefined, is_short).loose_ends())
     of_input[complex.parent[end.faces.front().value].input].push_back(std::move(end));
   std::vector<Warning> warnings;
   for (const auto& [input, ends] : of_input) {
     const LooseEnd& longest = *std::ranges::max_element(ends, {}, &LooseEnd::length);
-    if (!longest.tip.valid()) continue;
     const std::string more = ends.size() == 1   ? ""
                              : ends.size() == 2 ? ", and another no farther"
                                                 : ", and " + std::to_string(ends.size() - 1) + " others no farther";
     warnings.push_back({"sticks-out",
                         "an end of " + inputs[input]->path + " sticks out beyond the junction by " +
                             text_of(longest.length) + " at " + text_of(complex.position[longest.tip.value]) + more +
-                            "; that is within the tolerance, but too deep for faces to be drawn back; --trim beyond "
-                            "with a greater length drops it",
+                            "; its depth is within the tolerance, but too great for its faces to be drawn back; "
+                            "--trim beyond with a greater length drops it",
                         place_of(*inputs[input], complex.parent[longest.faces.front().value].element)});
   }
   return warnings;

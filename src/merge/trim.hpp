@@ -10,17 +10,19 @@
 
 namespace meshgraft {
 
-/// Drops the loose ends of parts, and tells which they were.
+/// Drops the loose ends of parts, and tells which they were. `original`: the workpiece before it was cut.
 ///
 /// A loose end is a piece of a part that
 ///  (1) the junction cuts off the rest of its part, along one connected line;
 ///  (2) has a free edge, and no node farther than `length` from that line;
 ///  (3) nothing else holds: no 1D element beside its own edges, no other element, no other part.
 /// Of two pieces on either side of one line, neither is dropped if both are such.
-std::vector<DroppedEntry> trim(Corefined& corefined, double length, const Graft& graft, Dropped& dropped);
+std::vector<DroppedEntry> trim(const Complex& original, Corefined& corefined, double length, const Graft& graft,
+                               Dropped& dropped);
 
 /// Warnings sticks-out, one for each part with loose ends no longer than the tolerance: how many, the longest of them,
 /// where. They are penetrations that were to be closed, and could not be drawn back.
-[[nodiscard]] std::vector<Warning> loose_end_warnings(Inputs inputs, const Corefined& corefined, Tolerance tolerance);
+[[nodiscard]] std::vector<Warning> loose_end_warnings(Inputs inputs, const Complex& original,
+                                                      const Corefined& corefined, Tolerance tolerance);
 
 }  // namespace meshgraft

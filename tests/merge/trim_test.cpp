@@ -157,6 +157,36 @@ TEST(Penetration, WithinTheToleranceIsDrawnBackAsAWholeOrTold) {
   }
 }
 
+/// A rib whose foot goes down from the wall to 0.12 below it, and that may lean.
+Model tapered_rib(double lean) {
+  return scenes::moved(straight_rib(0), [&](Vec3 p) {
+    const double z = p.z - 0.12 * (p.x - 0.33) / 1.28 * (1 - p.z / 0.6);
+    return Vec3{p.x, p.y + lean * z, z};
+  });
+}
+
+TEST(Penetration, OfAFootThatGoesDownStaysWhereItIsDeepAndCanBeTrimmed) {
+  const Model base = wall();
+  for (const double lean : {0.0, 0.7}) {
+    SCOPED_TRACE(lean);
+    const std::vector<Model> parts{tapered_rib(lean)};
+    MergeOptions options;
+    options.tolerance = {0.125, false};
+    const auto m = merge(base, parts, options);
+    ASSERT_TRUE(m) << to_string(m.error());
+    for (const Error& e : m->report.broken_promises) ADD_FAILURE() << to_string(e);
+    EXPECT_GE(m->report.quality.min, 0.5);
+    EXPECT_FALSE(m->report.moved.empty());
+    EXPECT_EQ(n_sticking_out(m->report), 1);
+    options.trim = 0.16;
+    const auto trimmed = merge(base, parts, options);
+    ASSERT_TRUE(trimmed) << to_string(trimmed.error());
+    EXPECT_EQ(trimmed->report.dropped.size(), 1u);
+    EXPECT_EQ(n_sticking_out(trimmed->report), 0);
+    EXPECT_GE(std::ranges::min(apply(base, parts, *trimmed).position, {}, &Vec3::z).z, -1e-12);
+  }
+}
+
 TEST(Penetration, IsNotToldOnceItIsTrimmed) {
   const Model base = wall();
   const std::vector<Model> parts{straight_rib(0.12)};
