@@ -6,7 +6,7 @@
 
 #include "core/components.hpp"
 #include "fill/flaws.hpp"
-#include "fill/patched.hpp"
+#include "fill/shape.hpp"
 #include "geometry/quality.hpp"
 #include "merge/compatibility.hpp"
 #include "merge/conclude.hpp"
@@ -21,6 +21,8 @@ template <class T>
 void append(std::vector<T>& to, std::vector<T> from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
+
+constexpr double kNoticed = 0.1;  // edge lengths: nodes that stop farther from where they should be are told of
 
 using Openings = std::vector<OpeningContours>;
 
@@ -217,7 +219,13 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   watch.start("remesh", 0.3);  // paper 5.6
   const Sizing sizing = rim_sizing(around, holes, options.zone.size);
   RemeshedZone zone;
-  zone.remeshed = shaped(*coarse, sizing, graft.group_sets, options.zone);
+  Shaped filling = shaped(*coarse, sizing, graft.group_sets, options.zone);
+  if (filling.blended.left > kNoticed)
+    report.warnings.push_back({"blend-not-reached",
+                               "the filling around " + text_of(filling.blended.left_at) +
+                                   " does not continue the surface as wanted: faces there would be folded or flat",
+                               {base.path, 0}});
+  zone.remeshed = std::move(filling.remeshed);
   zone.bandwidth = {0};
   give_node_groups(around, holes, zone.remeshed.complex, graft.group_sets);
   Corefined corefined;

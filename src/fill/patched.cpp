@@ -2,14 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 
-#include "core/union_find.hpp"
 #include "geometry/quality.hpp"
-#include "patch/blend.hpp"
 #include "patch/opening.hpp"
-#include "patch/refine.hpp"
-#include "remesh/result.hpp"
 #include "zone/edge_table.hpp"
 
 namespace meshgraft {
@@ -100,92 +95,6 @@ FaceId typical_face(const Complex& c, const Hole& hole) {
   return best;
 }
 
-/// Corners, curves and sheets: those of what is around, and one sheet for each patch, on the surface of its faces or
-/// not.
-Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
-  Complex around = p.complex;
-  around.face.resize(p.n_around), around.parent.resize(p.n_around), around.component.resize(p.n_around);
-  around.face_groups.resize(p.n_around), around.face_attributes.resize(p.n_around);
-  Brep brep = read_brep(around, {}, {}, groups);
-  std::map<std::array<VertexId, 2>, CurveId> curve;  // of free edges, in the direction of the patch
-  for (std::size_t f = 0; f < p.n_around; ++f)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (brep.curve_of_edge[f][k].valid())
-        curve[{around.face[f][(k + 1) % 3], around.face[f][k]}] = brep.curve_of_edge[f][k];
-  std::vector<std::uint8_t> is_around(around.n_vertices(), 0);
-  for (const auto& face : around.face)
-    for (const VertexId v : face) is_around[v.value] = 1;
-  const std::size_t first_sheet = brep.sheets.size();
-  for (std::size_t i = 0; i < p.patch.size(); ++i) {
-    const FaceId f(p.n_around + i);
-    const SheetId sheet(first_sheet + p.patch[i]);
-    if (sheet.value >= brep.sheets.size()) brep.sheets.resize(sheet.value + 1);
-    brep.sheets[sheet.value].faces.push_back(f);
-    brep.sheet_of_face.push_back(sheet);
-    auto& sides = brep.curve_of_edge.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& v = p.complex.face[f.value];
-      if (is_around[v[k].value] == 0) brep.dimension[v[k].value] = Dimension::kSheet;
-      const auto it = curve.find({v[k], v[(k + 1) % 3]});
-      if (it == curve.end()) continue;
-      sides[k] = it->second;
-      brep.curves[it->second.value].free = false;
-    }
-  }
-  for (std::size_t s = first_sheet; s < brep.sheets.size(); ++s) {
-    Sheet& sheet = brep.sheets[s];
-    sheet.made_up = !on_its_surface;
-    Vec3 area;
-    for (const FaceId f : sheet.faces) area += area_vector(p.complex.corners(f));
-    const Vec3 normal = normalized(area), origin = p.complex.corners(sheet.faces.front())[0];
-    const double limit = kFlatHeight * std::sqrt(norm(area));
-    sheet.planar = std::ranges::all_of(sheet.faces, [&](FaceId f) {
-      return std::ranges::all_of(p.complex.corners(f),
-                                 [&](Vec3 q) { return std::abs(dot(q - origin, normal)) <= limit; });
-    });
-    if (sheet.planar) sheet.normal = normal, sheet.origin = origin;
-  }
-  return brep;
-}
-
-/// The patches of a remeshed complex: faces of the zone that hang together.
-Patched patched_again(Remeshed remeshed) {
-  Patched p;
-  p.complex = std::move(remeshed.complex), p.in_zone = std::move(remeshed.in_zone);
-  p.n_around = static_cast<std::size_t>(std::ranges::find(p.in_zone, 1) - p.in_zone.begin());
-  const std::size_t n = p.in_zone.size() - p.n_around;
-  UnionFind together(n);
-  std::map<std::array<VertexId, 2>, std::uint32_t> first_at;
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& v = p.complex.face[p.n_around + i];
-      const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
-      const auto [it, is_first] = first_at.try_emplace({a, b}, i);
-      if (!is_first) together.unite(it->second, i);
-    }
-  std::map<std::uint32_t, std::uint32_t> number;
-  for (std::uint32_t i = 0; i < n; ++i)
-    p.patch.push_back(number.try_emplace(together.find(i), static_cast<std::uint32_t>(number.size())).first->second);
-  return p;
-}
-
-/// The patches in the working mesh, ready to be worked on.
-struct Workshop {
-  Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, const RemeshOptions& options)
-      : complex(p.complex),
-        in_zone(p.in_zone),
-        brep(brep_of(p, groups, false)),
-        editor(complex, brep, in_zone, sizing, options) {
-    is_patch.assign(brep.sheets.size(), 0);
-    for (std::size_t f = p.n_around; f < in_zone.size(); ++f) is_patch[brep.sheet_of_face[f].value] = 1;
-  }
-  const Complex& complex;
-  const std::vector<std::uint8_t>& in_zone;
-  Brep brep;
-  Editor editor;
-  std::vector<std::uint8_t> is_patch;  // by sheet
-};
-
 }  // namespace
 
 tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes, GroupSets& groups) {
@@ -235,32 +144,6 @@ Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optio
     return sum / weight;
   };
   return {[mean](SheetId, Vec3 p) { return mean(p); }, [mean](CurveId, Vec3 p) { return mean(p); }};
-}
-
-Remeshed shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups, const MergeOptions& options) {
-  RemeshOptions remesh_options;
-  remesh_options.min_quality = options.min_quality;
-  remesh_options.edge_samples = 0;  // the surface is to be blended once more
-  const BlendOptions blend{.blend = options.blend, .rim_is_smooth = true};
-  Remeshed fine;
-  {
-    Workshop work(coarse, sizing, groups, remesh_options);
-    std::vector<FaceId> faces;
-    std::vector<LocalFace> anew;  // so that they count as filled
-    for (std::size_t f = coarse.n_around; f < coarse.in_zone.size(); ++f)
-      faces.emplace_back(f), anew.push_back(work.editor.mesh().face(FaceId(f)));
-    work.editor.replace(faces, anew);
-    refine(work.editor, work.is_patch);
-    blend_filled(work.editor, work.complex, work.is_patch, blend);
-    fine = to_remeshed(work.editor, work.complex, work.brep, work.in_zone, groups);
-  }
-  if (options.method == Method::kPaper) return fine;
-  const Patched surface = patched_again(std::move(fine));
-  const Brep brep = brep_of(surface, groups, true);
-  const Patched better = patched_again(remesh(surface.complex, brep, sizing, surface.in_zone, groups, remesh_options));
-  Workshop work(better, sizing, groups, remesh_options);
-  blend_filled(work.editor, work.complex, work.is_patch, blend);
-  return to_remeshed(work.editor, work.complex, work.brep, work.in_zone, groups);
 }
 
 }  // namespace meshgraft

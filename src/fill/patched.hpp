@@ -1,4 +1,4 @@
-// A complex with its holes closed, and the shape of what closes them.
+// A complex with its holes closed.
 #pragma once
 
 #include <optional>
@@ -42,10 +42,5 @@ struct NotClosed {
 
 /// Edge lengths of a patch: those of the faces around its rims, the near ones counting most; or `size`.
 [[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size);
-
-/// Gives patches the density of `sizing` and the shape that continues what is around (paper 5.6). With
-/// Method::kAdaptive the mesh is improved on that surface afterwards.
-[[nodiscard]] Remeshed shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups,
-                              const MergeOptions& options);
 
 }  // namespace meshgraft

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "geometry/quality.hpp"
-#include "patch/deform.hpp"
 
 namespace meshgraft {
 namespace {
@@ -18,10 +17,11 @@ class Blender {
   Blender(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled, const BlendOptions& options)
       : editor_(editor), complex_(complex), filled_(filled), options_(options), steps_(editor.mesh().n_faces(), kFar) {}
 
-  void run() {
+  Blended run() {
     const std::size_t n = mesh().n_faces();
     for (std::size_t f = 0; f < n; ++f)
       if (steps_[f] == kFar && mesh().face(FaceId(f)).alive && moves(FaceId(f))) deform(area_around(FaceId(f)));
+    return blended_;
   }
 
  private:
@@ -107,9 +107,11 @@ class Blender {
         problem.is_free.push_back(is_free(v) ? 1 : 0);
       }
     }
-    const std::vector<Vec3> shape = deformed(problem, options_.blend);
+    const Deformed shape = deformed(problem, options_.blend, options_.deform);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (problem.is_free[i] != 0) editor_.put(vertices[i], shape[i]);
+      if (problem.is_free[i] != 0) editor_.put(vertices[i], shape.position[i]);
+    blended_.moved = std::max(blended_.moved, shape.moved);
+    if (shape.left > blended_.left) blended_.left = shape.left, blended_.left_at = shape.left_at;
   }
 
   Editor& editor_;
@@ -117,13 +119,14 @@ class Blender {
   const std::vector<std::uint8_t>& filled_;
   const BlendOptions& options_;
   std::vector<int> steps_;  // by face, from the faces that move
+  Blended blended_;
 };
 
 }  // namespace
 
-void blend_filled(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled,
-                  const BlendOptions& options) {
-  Blender(editor, complex, filled, options).run();
+Blended blend_filled(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled,
+                     const BlendOptions& options) {
+  return Blender(editor, complex, filled, options).run();
 }
 
 }  // namespace meshgraft

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshgraft/options.hpp"
+#include "patch/deform.hpp"
 #include "remesh/editor.hpp"
 
 namespace meshgraft {
@@ -12,6 +13,13 @@ struct BlendOptions {
   double smooth_angle = BrepOptions{}.sharp_angle;
   /// Faces in the zone continue those outside of it whatever the angle between them.
   bool rim_is_smooth = false;
+  DeformOptions deform;
+};
+
+/// As in Deformed, the most of all areas.
+struct Blended {
+  double moved = 0, left = 0;
+  Vec3 left_at;
 };
 
 /// Moves the new vertices inside filled curved sheets to where they continue the surroundings (see deformed()): the
@@ -19,7 +27,7 @@ struct BlendOptions {
 /// curve without a fold are one area.
 ///
 ///   filled   by sheet: whether its faces were filled anew
-void blend_filled(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled,
-                  const BlendOptions& options);
+Blended blend_filled(Editor& editor, const Complex& complex, const std::vector<std::uint8_t>& filled,
+                     const BlendOptions& options);
 
 }  // namespace meshgraft

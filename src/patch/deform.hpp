@@ -20,7 +20,14 @@ struct DeformProblem {
 struct DeformOptions {
   int most_rounds = 12;         // each linear solve starts from the shape of the last one
   double settled = 1e-4;        // share of the mean edge length: moves across the surface below it end the rounds
-  double least_quality = 0.05;  // Q that no face may fall below if it was above; moves are shortened for that
+  double least_quality = 0.05;  // Q that no face may fall below, unless it was there before
+};
+
+struct Deformed {
+  std::vector<Vec3> position;  // n
+  double moved = 0;            // the farthest across the surface, in mean edge lengths
+  double left = 0;             // the same that a node still had to go, but would have spoilt its faces,
+  Vec3 left_at;                // and where that is
 };
 
 /// The positions of all nodes with the free ones moved to where, with x the position as a function on the surface,
@@ -43,7 +50,8 @@ struct DeformOptions {
 /// are small, or do not fall any more.
 ///
 /// Cost: some sparse Cholesky factors of a symmetric operator, and a dozen products with them per round (PowerSolver).
-/// If a system is singular or a move would turn faces over, what has been reached by then is returned.
-[[nodiscard]] std::vector<Vec3> deformed(const DeformProblem& problem, Blend blend, const DeformOptions& options = {});
+/// Nodes of faces that would fold back on a neighbour or become flat go part of their way only. If a system is
+/// singular, what has been reached by then is returned; Deformed::left is infinite if nothing was.
+[[nodiscard]] Deformed deformed(const DeformProblem& problem, Blend blend, const DeformOptions& options = {});
 
 }  // namespace meshgraft

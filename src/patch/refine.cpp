@@ -81,7 +81,34 @@ class Refiner {
     LocalFace first = face, second = face;
     first.v = {c, a, d}, second.v = {d, b, c};
     if (!(std::min(mesh().quality(first), mesh().quality(second)) > before + kLeastGain)) return false;
-    return editor_.flip(a, b);
+    return !folds(face, other, first, second) && editor_.flip(a, b);
+  }
+
+  /// Whether two faces that replace two others would be folded back on each other or on a neighbour, more than those.
+  [[nodiscard]] bool folds(const LocalFace& f, const LocalFace& g, const LocalFace& first,
+                           const LocalFace& second) const {
+    const double now = std::min(dot(normal(first), normal(second)), least_cosine(f, g, first, second));
+    return now < 0 && now < std::min(dot(normal(f), normal(g)), least_cosine(f, g, f, g));
+  }
+
+  /// With the faces of the sheet beyond the edges of f and g that these do not share.
+  [[nodiscard]] double least_cosine(const LocalFace& f, const LocalFace& g, const LocalFace& first,
+                                    const LocalFace& second) const {
+    double least = 1;
+    for (const LocalFace& made : {first, second})
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = made.v[k], b = made.v[(k + 1) % 3];
+        for (const FaceId beyond : mesh().faces_at(a, b)) {
+          const LocalFace& other = mesh().face(beyond);
+          if (is_filled(beyond) && other.sheet == f.sheet && other.v != f.v && other.v != g.v)
+            least = std::min(least, dot(normal(made), normal(other)));
+        }
+      }
+    return least;
+  }
+
+  [[nodiscard]] Vec3 normal(const LocalFace& f) const {
+    return unit_normal({mesh().position(f.v[0]), mesh().position(f.v[1]), mesh().position(f.v[2])});
   }
 
   Editor& editor_;

@@ -13,8 +13,8 @@ struct RefineOptions {
 };
 
 /// Inserts nodes at centroids of the faces made since they were deleted, and swaps edges between them where the
-/// worse of the two faces becomes better, until the density is that wanted by Editor::size. Nodes are put on the
-/// faces as they are, not on the surface that was there.
+/// worse of the two faces becomes better and none folds back on a neighbour, until the density is that wanted by
+/// Editor::size. Nodes are put on the faces as they are, not on the surface that was there.
 ///
 ///   filled   by sheet: whether its faces were filled anew
 void refine(Editor& editor, const std::vector<std::uint8_t>& filled, const RefineOptions& options = {});

@@ -14,6 +14,7 @@ namespace {
 constexpr double kFitRadius = 1.5;      // of the mean distance of the neighbours: where weights have fallen to 1/e
 constexpr double kSurplus = 1.2;        // nodes per coefficient of a fit, at least
 constexpr double kWellPosed = 1e-6;     // least ratio of pivots of a fit
+constexpr double kMostWeight = 40;      // sum over a fit, over h^-2; 3 to 10 is usual, 100 makes a system unstable
 constexpr double kLeastSine = 1e-6;     // of an angle whose cotangent is taken
 constexpr std::size_t kFitBlock = 256;  // nodes per task
 
@@ -119,11 +120,12 @@ SurfaceLaplacian::Weights SurfaceLaplacian::fit(std::size_t node) const {
     q.head(n) = y;
     q.applyOnTheLeft(qr.householderQ());
     Weights weights;
-    double sum = 0;
+    double sum = 0, size = 0;
     for (Eigen::Index i = 0; i < m; ++i) {
       const double w = root[i] * q[i];
-      weights.emplace_back(nodes[static_cast<std::size_t>(i)], w), sum += w;
+      weights.emplace_back(nodes[static_cast<std::size_t>(i)], w), sum += w, size += std::abs(w);
     }
+    if (size * h * h > kMostWeight) continue;
     weights.emplace_back(node, -sum);
     return weights;
   }

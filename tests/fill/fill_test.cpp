@@ -407,6 +407,44 @@ TEST_P(KnownSurface, ComesBackWithTheOrderOfTheContinuity) {
   }
 }
 
+/// The first faces across a wide hole lie far from the surface, and nodes inserted on them would fold it on the way
+/// there.
+TEST(Fill, WideAndSteepHolesAreFilledAsWellAsNarrowOnes) {
+  struct Case {
+    const char* surface;
+    double radius, edges, far;  // far: between what is continued and what was there
+  };
+  for (const Case& c : {Case{"Saddle", 0.8, 45, 0.005}, {"SphereCap", 1.2, 14, 0.25}}) {
+    const auto known = std::ranges::find(known_surfaces(), c.surface, &scenes::KnownSurface::name);
+    const auto refill = scenes::refilled(*known, c.radius / c.edges, Blend::kTangency, c.edges).value();
+    EXPECT_EQ(broken(refill.merged.report), std::vector<std::string>{}) << c.surface;
+    EXPECT_EQ(broken_laws(refill.holed, refill.merged), "") << c.surface;
+    EXPECT_GE(refill.merged.report.quality.min, 0.5) << c.surface;
+    EXPECT_LE(refill.distance, c.far) << c.surface;
+    EXPECT_EQ(std::ranges::count(refill.merged.report.warnings, "blend-not-reached", &Warning::name), 0) << c.surface;
+  }
+}
+
+/// A saddle as steep as its hole is wide: the inner side of a ring, open over more than a third of its section.
+TEST(Fill, AHoleInTheThroatOfATorusComesBackUnfolded) {
+  scenes::Surface s;
+  s.at = [](double u, double v) {
+    const double a = std::numbers::pi * (u - 0.5), b = std::numbers::pi * (v - 0.5), r = 1 - 0.5 * std::cos(b);
+    return Vec3{r * std::sin(a), -0.5 * std::sin(b), r * std::cos(a)};
+  };
+  s.nu = s.nv = 157;
+  s.jitter = 0.15;
+  const Model holed = without_faces(scenes::surface(s), within({0, 0, 0.5}, 0.6));
+  const Merged m = made(holed);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  EXPECT_EQ(broken_laws(holed, m), "");
+  EXPECT_GE(m.report.quality.min, 0.4);  // nodes of the contour are near to each other
+  for (const NewNode& n : m.graft.new_nodes) {
+    const double from_ring = std::hypot(std::hypot(n.position.x, n.position.z) - 1, n.position.y);
+    EXPECT_NEAR(from_ring, 0.5, 0.02);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Surfaces, KnownSurface, testing::Range(std::size_t{0}, known_surfaces().size()),
                          [](const auto& surface) { return known_surfaces()[surface.param].name; });
 

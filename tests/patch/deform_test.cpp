@@ -60,7 +60,7 @@ struct Errors {
 };
 
 Errors errors_of(const Hole& hole, Blend blend) {
-  const std::vector<Vec3> position = deformed(hole.problem, blend);
+  const std::vector<Vec3> position = deformed(hole.problem, blend).position;
   Errors worst;
   for (std::size_t v = 0; v < position.size(); ++v)
     if (hole.problem.is_free[v] != 0)
@@ -173,7 +173,7 @@ TEST(DeformLaws, FixedNodesStayAndAFlatAreaStaysFlat) {
   const Shape plane{[](double u, double v) { return Vec3{u, v, 0}; }, [](Vec3 p) { return Vec3{p.x, p.y, 0}; }};
   const Hole hole(plane, 0.1, 3);
   for (const Blend blend : {Blend::kPosition, Blend::kTangency, Blend::kCurvature}) {
-    const auto position = deformed(hole.problem, blend);
+    const auto position = deformed(hole.problem, blend).position;
     for (std::size_t v = 0; v < position.size(); ++v) {
       if (hole.problem.is_free[v] == 0) {
         EXPECT_EQ(position[v], hole.problem.position[v]);
@@ -181,6 +181,21 @@ TEST(DeformLaws, FixedNodesStayAndAFlatAreaStaysFlat) {
       EXPECT_NEAR(distance(position[v], hole.problem.position[v]), 0, 1e-9);
     }
   }
+}
+
+TEST(Deform, OnlyNodesOfFacesThatWouldBeSpoiltStayAndThatIsTold) {
+  const Hole hole(sphere(), 0.05, 6);
+  const Deformed whole = deformed(hole.problem, Blend::kTangency);
+  EXPECT_EQ(whole.left, 0);
+  EXPECT_GT(whole.moved, 0.5);
+
+  DeformProblem wild = hole.problem;  // its surroundings go up and down, but for one side
+  for (std::size_t v = 0; v < wild.position.size(); ++v)
+    if (wild.is_free[v] == 0 && wild.position[v].x > 0.2) wild.position[v].z += v % 2 == 0 ? 0.2 : -0.2;
+  const Deformed part = deformed(wild, Blend::kTangency);
+  EXPECT_GT(part.left, 0);
+  EXPECT_GT(part.moved, 0);
+  EXPECT_GT(part.left_at.x, 0);
 }
 
 /// The hole as a system: rows and right sides of its free nodes for a power of the Laplacian.
@@ -236,7 +251,7 @@ TEST(DeformLaws, TheScaleAndTheFrameDoNotMatter) {
     Hole other = hole;
     for (Vec3& p : other.problem.position) p = scale * Vec3{p.y, p.z, p.x};
     const Blend blend = static_cast<Blend>(*rc::gen::inRange(0, 3));
-    const auto a = deformed(hole.problem, blend), b = deformed(other.problem, blend);
+    const auto a = deformed(hole.problem, blend).position, b = deformed(other.problem, blend).position;
     for (std::size_t v = 0; v < a.size(); ++v)
       RC_ASSERT(distance(scale * Vec3{a[v].y, a[v].z, a[v].x}, b[v]) <= 1e-6 * scale);
   }));

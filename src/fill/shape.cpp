@@ -1,0 +1,191 @@
+#include "fill/shape.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/union_find.hpp"
+#include "geometry/quality.hpp"
+#include "patch/blend.hpp"
+#include "patch/refine.hpp"
+#include "remesh/result.hpp"
+
+namespace meshgraft {
+namespace {
+
+constexpr double kFlatSheet = 1e-9;  // of the width of a patch: what it may leave its plane by if it is planar
+
+/// Corners, curves and sheets: those of what is around, and one sheet for each patch, on the surface of its faces or
+/// not.
+Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
+  Complex around = p.complex;
+  around.face.resize(p.n_around), around.parent.resize(p.n_around), around.component.resize(p.n_around);
+  around.face_groups.resize(p.n_around), around.face_attributes.resize(p.n_around);
+  Brep brep = read_brep(around, {}, {}, groups);
+  std::map<std::array<VertexId, 2>, CurveId> curve;  // of free edges, in the direction of the patch
+  for (std::size_t f = 0; f < p.n_around; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (brep.curve_of_edge[f][k].valid())
+        curve[{around.face[f][(k + 1) % 3], around.face[f][k]}] = brep.curve_of_edge[f][k];
+  std::vector<std::uint8_t> is_around(around.n_vertices(), 0);
+  for (const auto& face : around.face)
+    for (const VertexId v : face) is_around[v.value] = 1;
+  const std::size_t first_sheet = brep.sheets.size();
+  for (std::size_t i = 0; i < p.patch.size(); ++i) {
+    const FaceId f(p.n_around + i);
+    const SheetId sheet(first_sheet + p.patch[i]);
+    if (sheet.value >= brep.sheets.size()) brep.sheets.resize(sheet.value + 1);
+    brep.sheets[sheet.value].faces.push_back(f);
+    brep.sheet_of_face.push_back(sheet);
+    auto& sides = brep.curve_of_edge.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = p.complex.face[f.value];
+      if (is_around[v[k].value] == 0) brep.dimension[v[k].value] = Dimension::kSheet;
+      const auto it = curve.find({v[k], v[(k + 1) % 3]});
+      if (it == curve.end()) continue;
+      sides[k] = it->second;
+      brep.curves[it->second.value].free = false;
+    }
+  }
+  for (std::size_t s = first_sheet; s < brep.sheets.size(); ++s) {
+    Sheet& sheet = brep.sheets[s];
+    sheet.made_up = !on_its_surface;
+    Vec3 area;
+    for (const FaceId f : sheet.faces) area += area_vector(p.complex.corners(f));
+    const Vec3 normal = normalized(area), origin = p.complex.corners(sheet.faces.front())[0];
+    const double limit = kFlatSheet * std::sqrt(norm(area));
+    sheet.planar = std::ranges::all_of(sheet.faces, [&](FaceId f) {
+      return std::ranges::all_of(p.complex.corners(f),
+                                 [&](Vec3 q) { return std::abs(dot(q - origin, normal)) <= limit; });
+    });
+    if (sheet.planar) sheet.normal = normal, sheet.origin = origin;
+  }
+  return brep;
+}
+
+/// The patches of a remeshed complex: faces of the zone that hang together.
+Patched patched_again(Remeshed remeshed) {
+  Patched p;
+  p.complex = std::move(remeshed.complex), p.in_zone = std::move(remeshed.in_zone);
+  p.n_around = static_cast<std::size_t>(std::ranges::find(p.in_zone, 1) - p.in_zone.begin());
+  const std::size_t n = p.in_zone.size() - p.n_around;
+  UnionFind together(n);
+  std::map<std::array<VertexId, 2>, std::uint32_t> first_at;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = p.complex.face[p.n_around + i];
+      const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
+      const auto [it, is_first] = first_at.try_emplace({a, b}, i);
+      if (!is_first) together.unite(it->second, i);
+    }
+  std::map<std::uint32_t, std::uint32_t> number;
+  for (std::uint32_t i = 0; i < n; ++i)
+    p.patch.push_back(number.try_emplace(together.find(i), static_cast<std::uint32_t>(number.size())).first->second);
+  return p;
+}
+
+/// The patches in the working mesh, ready to be worked on.
+struct Workshop {
+  Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, const RemeshOptions& options)
+      : complex(p.complex),
+        in_zone(p.in_zone),
+        brep(brep_of(p, groups, false)),
+        editor(complex, brep, in_zone, sizing, options) {
+    is_patch.assign(brep.sheets.size(), 0);
+    for (std::size_t f = p.n_around; f < in_zone.size(); ++f) is_patch[brep.sheet_of_face[f].value] = 1;
+  }
+
+  /// To refine and blend a patch whose faces are as they were.
+  void call_all_filled() {
+    std::vector<FaceId> faces;
+    std::vector<LocalFace> anew;
+    for (std::size_t f = 0; f < in_zone.size(); ++f)
+      if (in_zone[f] != 0) faces.emplace_back(f), anew.push_back(editor.mesh().face(FaceId(f)));
+    editor.replace(faces, anew);
+  }
+
+  [[nodiscard]] bool is_curved() const {
+    for (std::size_t s = 0; s < is_patch.size(); ++s)
+      if (is_patch[s] != 0 && !brep.sheets[s].planar) return true;
+    return false;
+  }
+
+  Blended blend(const BlendOptions& options) { return blend_filled(editor, complex, is_patch, options); }
+  Remeshed result(GroupSets& groups) { return to_remeshed(editor, complex, brep, in_zone, groups); }
+
+  const Complex& complex;
+  const std::vector<std::uint8_t>& in_zone;
+  Brep brep;
+  Editor editor;
+  std::vector<std::uint8_t> is_patch;  // by sheet
+};
+
+class Shaper {
+ public:
+  Shaper(const Sizing& sizing, GroupSets& groups, const MergeOptions& options)
+      : sizing_(sizing), groups_(groups), options_(options) {
+    remesh_options_.min_quality = options.min_quality;
+    remesh_options_.edge_samples = 1;  // the surface is to be blended once more
+    blend_.blend = options.blend, blend_.rim_is_smooth = true;
+  }
+
+  Shaped run(Patched coarse) {
+    grow(coarse);
+    Workshop work(coarse, sizing_, groups_, remesh_options_);
+    work.call_all_filled();
+    refine(work.editor, work.is_patch);
+    Blended blended = work.blend(blend_);
+    Remeshed fine = work.result(groups_);
+    for (int round = 0; options_.method != Method::kPaper && round < kMostRounds; ++round) {
+      const Patched surface = patched_again(std::move(fine));
+      const Brep brep = brep_of(surface, groups_, true);
+      blended = blended_again(
+          patched_again(remesh(surface.complex, brep, sizing_, surface.in_zone, groups_, remesh_options_)), fine);
+      if (blended.left == 0 && blended.moved < kNear) break;
+    }
+    return {std::move(fine), blended};
+  }
+
+ private:
+  static constexpr double kGrowth = 0.1;  // of the faces: growth below it is left to the last step
+  static constexpr int kMostRounds = 4;   // of remeshing on the surface and blending what has come of it
+  static constexpr double kNear = 0.5;    // edge lengths: a blending that moves faces less hardly changes their shape
+
+  /// Inserts nodes step by step, in each on what the membrane through those of the last step is: the first faces, which
+  /// only know the rim, are far from any smooth surface, and nodes on them would fold it on the way there.
+  void grow(Patched& patches) const {
+    BlendOptions membrane = blend_;
+    membrane.blend = Blend::kPosition;
+    membrane.deform.most_rounds = 2, membrane.deform.settled = 0.02;
+    for (double growth = 1; growth > kGrowth;) {
+      Workshop work(patches, sizing_, groups_, remesh_options_);
+      if (!work.is_curved()) return;
+      work.call_all_filled();
+      refine(work.editor, work.is_patch, {.most_rounds = 1});
+      work.blend(membrane);
+      const auto before = static_cast<double>(patches.patch.size());
+      patches = patched_again(work.result(groups_));
+      growth = static_cast<double>(patches.patch.size()) / before - 1;
+    }
+  }
+
+  Blended blended_again(const Patched& patches, Remeshed& result) const {
+    Workshop work(patches, sizing_, groups_, remesh_options_);
+    const Blended blended = work.blend(blend_);
+    result = work.result(groups_);
+    return blended;
+  }
+
+  const Sizing& sizing_;
+  GroupSets& groups_;
+  const MergeOptions& options_;
+  RemeshOptions remesh_options_;
+  BlendOptions blend_;
+};
+
+}  // namespace
+
+Shaped shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups, const MergeOptions& options) {
+  return Shaper(sizing, groups, options).run(coarse);
+}
+
+}  // namespace meshgraft

@@ -1,0 +1,19 @@
+// The shape of what closes the holes of a complex.
+#pragma once
+
+#include "fill/patched.hpp"
+#include "patch/blend.hpp"
+
+namespace meshgraft {
+
+struct Shaped {
+  Remeshed remeshed;
+  Blended blended;  // the last time
+};
+
+/// Gives patches the density of `sizing` and the shape that continues what is around (paper 5.6). With
+/// Method::kAdaptive the mesh is improved on that surface, and shaped again, until that moves little.
+[[nodiscard]] Shaped shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups,
+                            const MergeOptions& options);
+
+}  // namespace meshgraft
