@@ -56,7 +56,9 @@ struct FillOptions {
 ///  (3) New nodes are in the node groups that all nodes of these contours are in, and in those that covered a group
 ///      that the new faces are in.
 ///  (4) Labels count on from the largest.
-///  (5) No edge gets a third face. Where new faces meet other surface elements of the model, or fold back on each
+///  (5) 1D elements in an opening, along the surface, that hang together with a contour and are no longer than two of
+///      its sides become edges of new faces.
+///  (6) No edge gets a third face. Where new faces meet other surface elements of the model, or fold back on each
 ///      other, that is a broken promise of the report.
 ///
 /// The result has one input: apply(base, {}, result) and write_unv(base, {}, result, ...). Contours left open by an

@@ -1,6 +1,7 @@
 #include "fill/flaws.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -12,6 +13,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr int kSamples = 7;       // of a beam beside a face
 constexpr double kInside = 0.01;  // weight of a point that is inside a triangle, not on its border
 
 Box box_of(const Triangle& t) {
@@ -129,13 +131,21 @@ class Flaws {
   void compare_beam(ElementId e, const std::array<NodeId, 2>& ends, const BoxTree& tree) {
     if (!ends[0].valid() || !ends[1].valid()) return;
     const Vec3 a = base_.position[ends[0].value], b = base_.position[ends[1].value];
+    if (a == b) return;
     Box box{a, a};
     box.add(b);
     std::optional<Vec3> at;
     tree.overlapping(box, [&](std::uint32_t f) {
       const Triangle t = complex_.corners(FaceId(first_ + f));
-      for (const double along : {0.0, 0.3, 0.5, 0.7, 1.0})  // some are off the edges of the faces
-        if (const Vec3 p = lerp(a, b, along); !at && is_inside(p, t, tolerance_.at(mean_edge_length(t)))) at = p;
+      double from = 1, to = 0;  // the part of the beam beside the face
+      for (const Vec3 corner : t) {
+        const double along = std::clamp(dot(corner - a, b - a) / squared_norm(b - a), 0.0, 1.0);
+        from = std::min(from, along), to = std::max(to, along);
+      }
+      for (int k = 0; k <= kSamples && !at; ++k)
+        if (const Vec3 p = lerp(a, b, std::lerp(from, to, double(k) / kSamples));
+            is_inside(p, t, tolerance_.at(mean_edge_length(t))))
+          at = p;
     });
     if (at)
       beams_.add("element " + std::to_string(base_.element_label[e.value]) + " at " + text_of(*at), place_of(base_, e));

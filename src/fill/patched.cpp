@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "core/union_find.hpp"
+#include "fill/beams.hpp"
 #include "geometry/quality.hpp"
 #include "patch/opening.hpp"
 #include "zone/edge_table.hpp"
@@ -15,24 +18,6 @@ constexpr double kFlatHeight = 1e-9;  // of the length of a rim: what it may lea
 double side_length(const Complex& c, const Rim& rim, std::size_t k) {
   const VertexId a = rim.vertices[k], b = rim.vertices[(k + 1) % rim.vertices.size()];
   return distance(c.position[a.value], c.position[b.value]);
-}
-
-double length_of(const Complex& c, const Hole& hole) {
-  double sum = 0;
-  for (const Rim& rim : hole)
-    for (std::size_t k = 0; k < rim.vertices.size(); ++k) sum += side_length(c, rim, k);
-  return sum;
-}
-
-/// Area vector of the polygons through the vertices.
-Vec3 area_of(const Complex& c, const Hole& hole) {
-  Vec3 sum;
-  const Vec3 origin = c.position[hole.front().vertices.front().value];
-  for (const Rim& rim : hole)
-    for (std::size_t k = 0; k < rim.vertices.size(); ++k)
-      sum += 0.5 * cross(c.position[rim.vertices[k].value] - origin,
-                         c.position[rim.vertices[(k + 1) % rim.vertices.size()].value] - origin);
-  return sum;
 }
 
 /// Normals at the vertices of a hole, and whether all faces there lie in one plane with it.
@@ -59,26 +44,57 @@ struct RimNormals {
   }
 };
 
+/// Faces that fill all regions.
+tl::expected<OpeningFill, std::string> filled(Opening& opening, std::span<const Region> regions,
+                                              const OpeningOptions& options) {
+  OpeningFill all;
+  for (const Region& region : regions) {
+    opening.contours = region;
+    auto fill = fill_opening(opening, options);
+    if (!fill) return fill;
+    all.faces.insert(all.faces.end(), fill->faces.begin(), fill->faces.end());
+  }
+  return all;
+}
+
 /// The faces that close a hole; the surface is followed as far as that is possible.
-tl::expected<OpeningFill, std::string> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
-                                              const Hole& hole) {
-  const RimNormals normals(c, faces_at, hole);
+tl::expected<OpeningFill, std::string> closed(const Complex& c, const EdgeTable& edges, const Hole& hole,
+                                              const RimNormals& normals, const FollowedBeams& beams) {
   const Vec3 across = normalized(area_of(c, hole));
+  const Vec3 origin = c.position[hole.front().vertices.front().value];
   Opening opening;
-  for (const Rim& rim : hole) opening.contours.push_back(rim.vertices);
-  opening.planar = normals.planar;
+  opening.planar =
+      normals.planar && std::ranges::all_of(beams.normal, [&](const auto& at) {
+        return std::abs(dot(c.position[at.first.value] - origin, across)) <= kFlatHeight * length_of(c, hole);
+      });
   opening.position = [&](VertexId v) { return c.position[v.value]; };
-  opening.normal = [&](VertexId v) { return normals.at.at(v); };
+  opening.normal = [&](VertexId v) {
+    const auto it = normals.at.find(v);
+    return it != normals.at.end() ? it->second : beams.normal.at(v);
+  };
   opening.has_edge = [&](VertexId a, VertexId b) { return edges.find(a, b).valid(); };
   OpeningOptions options;
-  const auto along = fill_opening(opening, options);
+  const auto along = filled(opening, beams.regions, options);
   if (along) return along;
   opening.normal = [&](VertexId) { return across; };  // a cap: the end of a pipe, a rim that is folded
   for (const double least_cosine : {options.least_cosine, 0.0}) {
     options.least_cosine = least_cosine;
-    if (auto fill = fill_opening(opening, options)) return fill;
+    if (auto fill = filled(opening, beams.regions, options)) return fill;
   }
   return along;
+}
+
+/// Along the beams in the hole, which are added to those `followed`; or without them if that cannot be.
+tl::expected<OpeningFill, std::string> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
+                                              const Hole& hole, std::set<NodePair>& followed) {
+  const RimNormals normals(c, faces_at, hole);
+  const FollowedBeams beams = follow_beams(c, faces_at, edges, hole, normals.at);
+  const auto along = closed(c, edges, hole, normals, beams);
+  Region rims;
+  for (const Rim& rim : hole) rims.push_back(rim.vertices);
+  if (along) followed.insert(beams.beams.begin(), beams.beams.end());
+  if (along || beams.beams.empty()) return along;
+  return closed(c, edges, hole, normals, {{rims}, {}, {}});
 }
 
 /// The face of a hole's rims whose attributes hold along the greatest part of them.
@@ -97,13 +113,53 @@ FaceId typical_face(const Complex& c, const Hole& hole) {
 
 }  // namespace
 
+double length_of(const Complex& c, const Hole& hole) {
+  double sum = 0;
+  for (const Rim& rim : hole)
+    for (std::size_t k = 0; k < rim.vertices.size(); ++k) sum += side_length(c, rim, k);
+  return sum;
+}
+
+Vec3 area_of(const Complex& c, const Hole& hole) {
+  Vec3 sum;
+  const Vec3 origin = c.position[hole.front().vertices.front().value];
+  for (const Rim& rim : hole)
+    for (std::size_t k = 0; k < rim.vertices.size(); ++k)
+      sum += 0.5 * cross(c.position[rim.vertices[k].value] - origin,
+                         c.position[rim.vertices[(k + 1) % rim.vertices.size()].value] - origin);
+  return sum;
+}
+
+NodePair nodes_of(const Complex& c, VertexId a, VertexId b) {
+  const NodeRef first = c.node[a.value], second = c.node[b.value];
+  return {std::min(first, second), std::max(first, second)};
+}
+
+std::vector<std::uint32_t> patches_of(const Complex& complex, std::size_t first, const std::set<NodePair>& beams) {
+  const std::size_t n = complex.n_faces() - first;
+  UnionFind together(n);
+  std::map<std::array<VertexId, 2>, std::uint32_t> first_at;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = complex.face[first + i];
+      const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
+      const auto [it, is_first] = first_at.try_emplace({a, b}, i);
+      if (!is_first && !beams.contains(nodes_of(complex, a, b))) together.unite(it->second, i);
+    }
+  std::map<std::uint32_t, std::uint32_t> number;
+  std::vector<std::uint32_t> patch;
+  for (std::uint32_t i = 0; i < n; ++i)
+    patch.push_back(number.try_emplace(together.find(i), static_cast<std::uint32_t>(number.size())).first->second);
+  return patch;
+}
+
 tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes, GroupSets& groups) {
   const VertexFaces faces_at(around);
   const EdgeTable edges(around);
   Patched p;
   p.complex = around, p.n_around = around.n_faces();
   for (std::size_t h = 0; h < holes.size(); ++h) {
-    const auto fill = closed(around, faces_at, edges, holes[h]);
+    const auto fill = closed(around, faces_at, edges, holes[h], p.beams);
     if (!fill) return tl::unexpected(NotClosed{h, fill.error()});
     const FaceId like = typical_face(around, holes[h]);
     GroupSetId common = around.face_groups[like.value];
@@ -112,9 +168,9 @@ tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const 
     for (const auto& v : fill->faces) {
       const FaceId f = p.complex.add_face(v, around, like);
       p.complex.face_groups[f.value] = common;
-      p.patch.push_back(static_cast<std::uint32_t>(h));
     }
   }
+  p.patch = patches_of(p.complex, p.n_around, p.beams);
   p.in_zone.assign(p.complex.n_faces(), 1);
   std::fill_n(p.in_zone.begin(), p.n_around, std::uint8_t{0});
   return p;

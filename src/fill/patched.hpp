@@ -1,7 +1,9 @@
 // A complex with its holes closed.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,12 +23,21 @@ struct Rim {
 /// An opening, by the rims that bound it together.
 using Hole = std::vector<Rim>;
 
+[[nodiscard]] double length_of(const Complex& c, const Hole& hole);
+/// Area vector of the polygons through the vertices.
+[[nodiscard]] Vec3 area_of(const Complex& c, const Hole& hole);
+
+/// The two nodes of the input that an edge joins, the smaller first.
+using NodePair = std::array<NodeRef, 2>;
+[[nodiscard]] NodePair nodes_of(const Complex& c, VertexId a, VertexId b);
+
 /// Faces are those around, then the patches.
 struct Patched {
   Complex complex;
   std::size_t n_around = 0;           // faces around
   std::vector<std::uint32_t> patch;   // by face after those: which it is of
   std::vector<std::uint8_t> in_zone;  // by face: it is of a patch
+  std::set<NodePair> beams;           // edges of patches that follow 1D elements
 };
 
 /// A hole that cannot be closed along the surface, and why.
@@ -35,8 +46,13 @@ struct NotClosed {
   std::string why;
 };
 
-/// Closes the holes with as few faces as possible. Each patch takes its attributes from the face that stands for the
-/// greatest part of its rims, and the groups that all faces of these share.
+/// Numbers of the patches that faces from `first` on are of: those that hang together over edges that are no beams.
+[[nodiscard]] std::vector<std::uint32_t> patches_of(const Complex& complex, std::size_t first,
+                                                    const std::set<NodePair>& beams);
+
+/// Closes the holes with as few faces as possible, along the 1D elements in them (see follow_beams). Each hole takes
+/// its attributes from the face that stands for the greatest part of its rims, and the groups that all faces of these
+/// share.
 [[nodiscard]] tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes,
                                                        GroupSets& groups);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "core/union_find.hpp"
 #include "geometry/quality.hpp"
 #include "patch/blend.hpp"
 #include "patch/refine.hpp"
@@ -26,6 +25,13 @@ Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
     for (std::size_t k = 0; k < 3; ++k)
       if (brep.curve_of_edge[f][k].valid())
         curve[{around.face[f][(k + 1) % 3], around.face[f][k]}] = brep.curve_of_edge[f][k];
+  for (const Complex::Line& line : around.lines) {  // in a hole, each is a curve that stays as it is
+    const auto [a, b] = line.ends;
+    if (!p.beams.contains(nodes_of(around, a, b)) || curve.contains({a, b})) continue;
+    curve[{a, b}] = curve[{b, a}] = CurveId(brep.curves.size());
+    Curve& beam = brep.curves.emplace_back();
+    beam.chain = {a, b}, beam.fixed = true;
+  }
   std::vector<std::uint8_t> is_around(around.n_vertices(), 0);
   for (const auto& face : around.face)
     for (const VertexId v : face) is_around[v.value] = 1;
@@ -39,7 +45,8 @@ Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
     auto& sides = brep.curve_of_edge.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& v = p.complex.face[f.value];
-      if (is_around[v[k].value] == 0) brep.dimension[v[k].value] = Dimension::kSheet;
+      if (is_around[v[k].value] == 0 && !p.complex.node[v[k].value].valid())
+        brep.dimension[v[k].value] = Dimension::kSheet;
       const auto it = curve.find({v[k], v[(k + 1) % 3]});
       if (it == curve.end()) continue;
       sides[k] = it->second;
@@ -63,23 +70,12 @@ Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
 }
 
 /// The patches of a remeshed complex: faces of the zone that hang together.
-Patched patched_again(Remeshed remeshed) {
+Patched patched_again(Remeshed remeshed, const std::set<NodePair>& beams) {
   Patched p;
+  p.beams = beams;
   p.complex = std::move(remeshed.complex), p.in_zone = std::move(remeshed.in_zone);
   p.n_around = static_cast<std::size_t>(std::ranges::find(p.in_zone, 1) - p.in_zone.begin());
-  const std::size_t n = p.in_zone.size() - p.n_around;
-  UnionFind together(n);
-  std::map<std::array<VertexId, 2>, std::uint32_t> first_at;
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& v = p.complex.face[p.n_around + i];
-      const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
-      const auto [it, is_first] = first_at.try_emplace({a, b}, i);
-      if (!is_first) together.unite(it->second, i);
-    }
-  std::map<std::uint32_t, std::uint32_t> number;
-  for (std::uint32_t i = 0; i < n; ++i)
-    p.patch.push_back(number.try_emplace(together.find(i), static_cast<std::uint32_t>(number.size())).first->second);
+  p.patch = patches_of(p.complex, p.n_around, p.beams);
   return p;
 }
 
@@ -133,14 +129,21 @@ class Shaper {
     Workshop work(coarse, sizing_, groups_, remesh_options_);
     work.call_all_filled();
     refine(work.editor, work.is_patch);
+    if (BlendOptions smooth = blend_;
+        smooth.blend == Blend::kCurvature) {  // from a membrane it leads far beyond its aim
+      smooth.blend = Blend::kTangency;
+      work.blend(smooth);
+    }
     Blended blended = work.blend(blend_);
     Remeshed fine = work.result(groups_);
     for (int round = 0; options_.method != Method::kPaper && round < kMostRounds; ++round) {
-      const Patched surface = patched_again(std::move(fine));
+      const Patched surface = patched_again(std::move(fine), coarse.beams);
       const Brep brep = brep_of(surface, groups_, true);
-      blended = blended_again(
-          patched_again(remesh(surface.complex, brep, sizing_, surface.in_zone, groups_, remesh_options_)), fine);
-      if (blended.left == 0 && blended.moved < kNear) break;
+      blended =
+          blended_again(patched_again(remesh(surface.complex, brep, sizing_, surface.in_zone, groups_, remesh_options_),
+                                      coarse.beams),
+                        fine);
+      if (blended.moved == 0 || (blended.left == 0 && blended.moved < kNear)) break;
     }
     return {std::move(fine), blended};
   }
@@ -163,7 +166,7 @@ class Shaper {
       refine(work.editor, work.is_patch, {.most_rounds = 1});
       work.blend(membrane);
       const auto before = static_cast<double>(patches.patch.size());
-      patches = patched_again(work.result(groups_));
+      patches = patched_again(work.result(groups_), patches.beams);
       growth = static_cast<double>(patches.patch.size()) / before - 1;
     }
   }

@@ -74,7 +74,7 @@ class Blender {
     for (const FaceId g : mesh().faces_at(a, b)) {
       const LocalFace& other = mesh().face(g);
       if (g == f || component(f) != component(g) || other.v[(other.corner_of(b) + 1) % 3] != a) continue;
-      if (!face.curve[k].valid() || (options_.rim_is_smooth && face.in_zone != other.in_zone)) return g;
+      if (!face.curve[k].valid() || (options_.rim_is_smooth && (face.in_zone || other.in_zone))) return g;
       if (const double cosine = dot(normal(f, middle), normal(g, middle)); cosine > flattest)
         best = g, flattest = cosine;
     }

@@ -11,7 +11,7 @@ struct BlendOptions {
   Blend blend = Blend::kTangency;
   /// Curves whose sides are folded less than this are crossed: the surface goes on beyond them. Radians.
   double smooth_angle = BrepOptions{}.sharp_angle;
-  /// Faces in the zone continue those outside of it whatever the angle between them.
+  /// Faces in the zone continue those beyond any curve whatever the angle between them.
   bool rim_is_smooth = false;
   DeformOptions deform;
 };
