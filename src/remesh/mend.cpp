@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -10,7 +11,10 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kRounds = 6;                // sweeps over the poor faces
+constexpr int kRounds = 6;      // sweeps over the poor faces
+constexpr double kMany = 0.05;  // share of the faces of the zone: if more are poor, the wish is a high one,
+constexpr double kLeastProgress =
+    0.02;  // and a sweep that lowers what they lack together by a lesser share is the last
 constexpr double kDeviationWeight = 1.5;  // of the deviation beyond what is allowed, in the cost
 constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a change is not worth making
 constexpr int kEvenGain = 2;    // of a flip: excess at its ends less that opposite; this keeps the sum of squares
@@ -36,12 +40,18 @@ class Mender {
   Mender(Editor& editor, double target) : editor_(editor), target_(target) {}
 
   void run() {
+    double before = std::numeric_limits<double>::infinity();  // what the poor faces lacked together
     for (int round = 0; round < kRounds; ++round) {
       std::vector<std::pair<double, FaceId>> poor;
+      double all = 0, lack = 0;
       for (std::size_t k = 0; k < mesh().n_faces(); ++k) {
-        const LocalFace& f = mesh().face(FaceId(k));
-        if (f.alive && f.in_zone && is_poor(FaceId(k))) poor.emplace_back(f.q, FaceId(k));
+        const FaceId f(k);
+        if (!mesh().face(f).alive || !mesh().face(f).in_zone) continue;
+        ++all;
+        if (is_poor(f)) poor.emplace_back(mesh().face(f).q, f), lack += lack_of(f);
       }
+      if (static_cast<double>(poor.size()) > kMany * all && lack > (1 - kLeastProgress) * before) return;
+      before = lack;
       std::ranges::sort(poor);
       bool better = false;
       for (const auto& [q, f] : poor) {
@@ -122,6 +132,11 @@ class Mender {
   }
 
   bool is_poor(FaceId f) { return (mesh().face(f).q < target_ && !is_settled(editor_, f)) || editor_.deviation(f) > 1; }
+
+  /// How far a poor face is from what is wanted.
+  double lack_of(FaceId f) {
+    return std::max(0.0, target_ - mesh().face(f).q) + std::max(0.0, editor_.deviation(f) - 1);
+  }
 
   /// All vertices of faces on the given vertices, ascending.
   [[nodiscard]] std::vector<VertexId> ring(std::span<const VertexId> of) {

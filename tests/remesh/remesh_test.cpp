@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -37,6 +38,21 @@ INSTANTIATE_TEST_SUITE_P(Plates, Crossing,
 
 TEST(Remesh, TwoNeighbourhoodsAreRoomEnoughForTheWorstFace) {
   for (const double y0 : {0.93, 0.97, 1.0, 1.02}) expect_fit(trial(crossing(0.1, 0.1, 90, y0, 0.2, 0.15), 2), 0.5, 0.8);
+}
+
+TEST(Remesh, AWishThatNoMeshMeetsIsGivenUpSoon) {
+  Scene scene = crossing(0.1, 0.1, 70, 0.97, 0.4, 0.15);
+  const Brep brep = read_brep(scene.complex, scene.junction_edges, {}, scene.groups);
+  const auto n_questions = [&](double min_quality) {  // for sizes: they tell how much was tried
+    std::atomic<int> n = 0;
+    const auto answer = [&] { return ++n, 0.1; };
+    const Sizing sizing{[&](SheetId, Vec3) { return answer(); }, [&](CurveId, Vec3) { return answer(); }};
+    RemeshOptions options;
+    options.min_quality = min_quality;
+    (void)remesh(scene.complex, brep, sizing, cut::zone(scene, 5), scene.groups, options);
+    return n.load();
+  };
+  EXPECT_LT(n_questions(0.9), 20 * n_questions(0.5));
 }
 
 TEST(Remesh, GradesBetweenMeshesOneToThreeAndOneToTen) {
