@@ -11,8 +11,8 @@ namespace meshgraft {
 namespace {
 
 constexpr double kGood = 0.5;       // a sheet all of whose faces are as in the input and better than this is left alone
-constexpr double kAccepted = 1.35;  // circumradius of a final face, share of that of the wanted equilateral
-constexpr double kNearest = 0.68;   // no new vertex nearer to another, share of the wanted size
+constexpr double kAccepted = 1.25;  // circumradius of a final face, share of that of the wanted equilateral
+constexpr double kNearest = 0.62;   // no new vertex nearer to another, share of the wanted size
 constexpr double kNearestEdge = 0.5;                 // nor nearer to an edge that cannot be flipped
 constexpr double kLeastApex = 0.6, kMostApex = 1.5;  // of the wanted size over the edge below: bounds of the apex
 constexpr int kLongestWalk = 60;                     // faces crossed in looking for one

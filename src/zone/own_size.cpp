@@ -10,6 +10,7 @@
 
 #include "geometry/closest.hpp"
 #include "zone/original_faces.hpp"
+#include "zone/parents.hpp"
 
 namespace meshgraft {
 namespace {
@@ -25,9 +26,9 @@ Box box_of(const Triangle& t) {
 /// The faces of one sheet around a vertex.
 class Around {
  public:
-  void add(double mean_edge_length, Vec3 area_vector) {
-    length_ += mean_edge_length, ++count_;
-    least_ = std::min(least_, mean_edge_length);
+  void add(OwnSize::Lengths face, Vec3 area_vector) {
+    size_ += face.size, edge_ += face.edge, ++count_;
+    least_ = std::min(least_, face.edge);
     normal_ += area_vector;
   }
   /// After all of them were added.
@@ -35,13 +36,13 @@ class Around {
 
   /// A vertex stands above the middle of an equilateral face of size s around it by the slope of the faces
   /// times s / sqrt(3).
-  [[nodiscard]] double size(double max_height) const {
-    const double slope = across_ / norm(normal_);
-    return std::min(length_ / count_, std::numbers::sqrt3 * max_height * least_ / slope);
+  [[nodiscard]] OwnSize::Lengths lengths(double max_height) const {
+    const double slope = across_ / norm(normal_), most = std::numbers::sqrt3 * max_height * least_ / slope;
+    return {std::min(size_ / count_, most), std::min(edge_ / count_, most)};
   }
 
  private:
-  double length_ = 0, across_ = 0;  // sums: of mean edge lengths; of areas seen along the normal
+  double size_ = 0, edge_ = 0, across_ = 0;                 // sums; the last of areas seen along the normal
   double least_ = std::numeric_limits<double>::infinity();  // of the mean edge lengths
   int count_ = 0;
   Vec3 normal_;
@@ -49,15 +50,20 @@ class Around {
 
 }  // namespace
 
-OwnSize::OwnSize(std::vector<Triangle> triangles, std::vector<std::array<double, 3>> values)
+OwnSize::OwnSize(std::vector<Triangle> triangles, std::vector<std::array<Lengths, 3>> values)
     : triangles_(std::move(triangles)), values_(std::move(values)) {
   assert(!triangles_.empty());
-  double least = std::numeric_limits<double>::infinity(), sum = 0;
+  double least = std::numeric_limits<double>::infinity();
+  Lengths sum;
   for (const auto& corner : values_)
-    for (const double v : corner) least = std::min(least, v), largest_ = std::max(largest_, v), sum += v;
-  uniform_ = largest_ <= kUniform * least;
-  if (uniform_) {
-    largest_ = sum / (3 * static_cast<double>(values_.size()));
+    for (const Lengths& v : corner) {
+      least = std::min(least, v.size), largest_ = std::max(largest_, v.size);
+      sum.size += v.size, sum.edge += v.edge;
+    }
+  if (largest_ <= kUniform * least) {
+    const double n = 3 * static_cast<double>(values_.size());
+    uniform_ = {sum.size / n, sum.edge / n};
+    largest_ = uniform_.size;
     return;
   }
   std::vector<Box> boxes;
@@ -65,21 +71,26 @@ OwnSize::OwnSize(std::vector<Triangle> triangles, std::vector<std::array<double,
   tree_ = BoxTree(boxes);
 }
 
-double OwnSize::at(Vec3 p) const {
-  if (uniform_ || tree_.empty()) return largest_;
+OwnSize::Lengths OwnSize::at(Vec3 p) const {
+  if (tree_.empty()) return uniform_;
   const auto found =
       tree_.nearest(p, [&](std::uint32_t i) { return squared_norm(p - closest_on_triangle(p, triangles_[i]).point); });
   const TrianglePoint closest = closest_on_triangle(p, triangles_[found.item]);
-  const auto& value = values_[found.item];
-  return closest.weight[0] * value[0] + closest.weight[1] * value[1] + closest.weight[2] * value[2];
+  Lengths result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Lengths& value = values_[found.item][k];
+    result.size += closest.weight[k] * value.size, result.edge += closest.weight[k] * value.edge;
+  }
+  return result;
 }
 
-std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep, double max_height) {
+std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, const Brep& brep, double max_height,
+                               double stretched) {
   const OriginalFaces originals(original);
   std::vector<Around> around(original.n_vertices());
   struct Samples {
     std::vector<Triangle> triangles;
-    std::vector<std::array<double, 3>> values;
+    std::vector<std::array<OwnSize::Lengths, 3>> values;
   };
   std::vector<Samples> samples;  // by sheet
   samples.reserve(brep.sheets.size());
@@ -91,8 +102,9 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
     faces.erase(std::ranges::unique(faces).begin(), faces.end());
     for (const FaceId f : faces) {
       const Triangle t = original.corners(f);
-      const double length = mean_edge_length(t);
-      for (const VertexId v : original.face[f.value]) around[v.value].add(length, area_vector(t));
+      const double edge = mean_edge_length(t);
+      const OwnSize::Lengths own{std::max(edge_length_of_area(area(t)), stretched * edge), edge};
+      for (const VertexId v : original.face[f.value]) around[v.value].add(own, area_vector(t));
     }
     for (const FaceId f : faces) {
       const Vec3 vector = area_vector(original.corners(f));
@@ -105,7 +117,7 @@ std::vector<OwnSize> own_sizes(const Complex& original, const Complex& complex, 
       auto& value = values.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
         const VertexId v = original.face[f.value][k];
-        value[k] = around[v.value].size(max_height);
+        value[k] = around[v.value].lengths(max_height);
       }
     }
     for (const FaceId f : faces)

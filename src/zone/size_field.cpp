@@ -76,7 +76,7 @@ struct SizeField::Data {
 
   /// The own size, but at least what l_a leaves there.
   [[nodiscard]] double from_below(SheetId sheet, Vec3 p) const {
-    const double size = own[sheet.value].at(p);
+    const double size = own[sheet.value].at(p).size;
     if (junction.largest() <= kSame * size) return size;
     const auto near = junction.nearest(p, (junction.largest() - size) / options.gradation);
     return near.found ? std::max(size, near.size - options.gradation * near.distance) : size;
@@ -84,12 +84,12 @@ struct SizeField::Data {
 
   /// l_a: see the class comment.
   [[nodiscard]] double mean_at_junction(CurveId curve, Vec3 p) const {
-    if (kept[curve.value].valid()) return own[kept[curve.value].value].at(p);
+    if (kept[curve.value].valid()) return own[kept[curve.value].value].at(p).edge;
     if (options.junction_size) return *options.junction_size;
     // A mesh that continues on several sheets counts once, with their mean.
     std::vector<std::pair<std::uint32_t, double>> wishes;
     for (std::size_t i = 0; i < sheets[curve.value].size(); ++i)
-      wishes.emplace_back(components[curve.value][i], own[sheets[curve.value][i].value].at(p));
+      wishes.emplace_back(components[curve.value][i], own[sheets[curve.value][i].value].at(p).edge);
     std::ranges::sort(wishes);
     double inverse = 0, finest = std::numeric_limits<double>::infinity();
     int meshes = 0;
@@ -115,7 +115,7 @@ class Builder {
       : original_(original), complex_(complex), brep_(brep), data_(data), edges_(complex), originals_(original) {}
 
   void build() {
-    data_.own = own_sizes(original_, complex_, brep_, data_.options.max_height);
+    data_.own = own_sizes(original_, complex_, brep_, data_.options.max_height, data_.options.stretched);
     data_.sheets = sheets_at_curves(brep_);
     for (const auto& sheets : data_.sheets) {
       auto& components = data_.components.emplace_back();

@@ -27,20 +27,22 @@ struct SizeOptions {
   /// How far the new edges of a junction may stand off it, share of the edge length there: the facets of curved
   /// surfaces that meet at a small angle leave a zigzag, and its short pieces are no detail of the model.
   double junction_slack = 0.05;
+  double stretched = 0.9;     // a sheet wants at least this share of the mean edge length of its faces
   double max_height = 0.065;  // of a node of the input over a new face: share of the edge length there
 };
 
 /// The size at a place is, in this order:
 ///
-///   own       of the original faces of the sheet: mean edge length of the faces around each vertex, or what
-///             `max_height` leaves of it where they lean steeply, interpolated on the nearest face
+///   own       of the original faces of the sheet: edge of an equilateral triangle as large as the faces around each
+///             vertex, so that there are as many new ones, but at least `stretched` x their mean edge length; or what
+///             `max_height` leaves of it where they lean steeply; interpolated on the nearest face
 ///   at least  l_a - gradation x distance to the junction
 ///   at most   l_a + gradation x distance to the junction, and likewise around each place that needs
 ///             small faces: narrow gaps between curves, short curves, tight bends of a curve, curves
 ///             that the input divides more finely than their sheets; not where all faces stay (kFrozen vertices)
 ///
 /// l_a at a place of the junction is the mean edge length of the faces of the meshes that meet there,
-/// each mesh counted by the number of its faces along the line: the harmonic mean of their own sizes,
+/// each mesh counted by the number of its faces along the line: the harmonic mean of their mean edge lengths,
 /// but at most `finer_share` x the smallest. Beside faces that are kept it is their size. Read as: the mean of
 /// paper 5.3 over the faces near the place instead of over the whole line, so that graded meshes get a graded line.
 class SizeField {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "geometry/quality.hpp"
 #include "laws.hpp"
@@ -26,6 +28,14 @@ void expect_fit(const Trial& t, double min_q, double mean_q, double area_share =
   EXPECT_EQ(t.result.bad.empty(), q.front() >= 0.5);
 }
 
+/// Faces that have a piece in the zone.
+double n_uncut_faces_of_zone(const Trial& t) {
+  std::set<ElementRef> parents;
+  for (std::size_t f = 0; f < t.in_zone.size(); ++f)
+    if (t.in_zone[f]) parents.insert(t.scene.complex.parent[f]);
+  return static_cast<double>(parents.size());
+}
+
 class Crossing : public testing::TestWithParam<std::tuple<double, double>> {};
 
 TEST_P(Crossing, IsFitForAnalysisAtAnyOffsetAndTurn) {
@@ -38,6 +48,18 @@ INSTANTIATE_TEST_SUITE_P(Plates, Crossing,
 
 TEST(Remesh, TwoNeighbourhoodsAreRoomEnoughForTheWorstFace) {
   for (const double y0 : {0.93, 0.97, 1.0, 1.02}) expect_fit(trial(crossing(0.1, 0.1, 90, y0, 0.2, 0.15), 2), 0.5, 0.8);
+}
+
+TEST(Remesh, AZoneHasAsManyFacesAsBefore) {
+  double removed = 0, made = 0;
+  for (const double y0 : {0.8, 0.93, 1.0, 1.049})
+    for (const double turn : {0.1, 0.4, 0.7}) {
+      const Trial t = trial(crossing(0.1, 0.1, 70, y0, turn, 0.15), 5);
+      const double r = n_uncut_faces_of_zone(t), m = static_cast<double>(std::ranges::count(t.result.in_zone, 1));
+      EXPECT_NEAR(m / r, 1, 0.08) << y0 << ' ' << turn;
+      removed += r, made += m;
+    }
+  EXPECT_NEAR(made / removed, 1, 0.04);
 }
 
 TEST(Remesh, AWishThatNoMeshMeetsIsGivenUpSoon) {

@@ -53,14 +53,25 @@ double wish(const Scene& s, Vec3 p) {
 
 // The mean edge of the grid triangles of size 1 is (2 + sqrt 2) / 3.
 const double kMean = (2 + std::sqrt(2.0)) / 3;
+// An equilateral triangle with this edge is as large as they are: 1/2.
+const double kOwn = std::sqrt(2 / std::sqrt(3.0));
 
 Model floor_plate(double size) { return scenes::plate({0, 0, 0}, {12, 0, 0}, {0, 12, 0}, size); }
 Model wall(double size) { return scenes::plate({0, 6, 0}, {12, 0, 0}, {0, 0, 6}, size, "WALL"); }
 
 TEST(SizeField, WithoutAJunctionItIsTheOwnSize) {
   const Scene s = scene(std::array{floor_plate(1)});
-  EXPECT_NEAR(at(s, {5, 5, 0}), kMean, 1e-9);
+  EXPECT_NEAR(at(s, {5, 5, 0}), kOwn, 1e-9);
   EXPECT_TRUE(std::isinf(s.size.junction_size({5, 5, 0})));
+}
+
+Model stretched_floor(double by) {
+  return scenes::moved(floor_plate(1), [by](Vec3 p) { return Vec3{p.x, by * p.y, p.z}; });
+}
+
+TEST(SizeField, StretchedFacesDoNotMakeASheetMuchFiner) {
+  const Scene s = scene(std::array{stretched_floor(5)});
+  EXPECT_NEAR(at(s, {5, 30, 0}), SizeOptions().stretched * (1 + 5 + std::sqrt(26.0)) / 3, 1e-9);
 }
 
 TEST(SizeField, ACoarsePictureOfASphereAsksForSmallerFacesThanItsOwn) {
@@ -78,7 +89,7 @@ TEST(SizeField, ACoarsePictureOfASphereAsksForSmallerFacesThanItsOwn) {
 }
 
 TEST(SizeField, OnAFreeEdgeTheSpacingOfTheInputCounts) {
-  const Scene s = scene(std::array{floor_plate(1)});
+  const Scene s = scene(std::array{stretched_floor(1.5)});
   EXPECT_NEAR(wish(s, {5, 0, 0}), 1, 0.01);
 }
 
@@ -132,7 +143,7 @@ TEST(SizeField, GivenJunctionSizeIsTaken) {
     EXPECT_NEAR(wish(s, {5, 6, 0}), given, 1e-9);
     // Linear from there to the own size, in both directions.
     for (const double d : {0.5, 1.0, 2.0}) {
-      const double expected = given < kMean ? std::min(kMean, given + 0.4 * d) : std::max(kMean, given - 0.4 * d);
+      const double expected = given < kOwn ? std::min(kOwn, given + 0.4 * d) : std::max(kOwn, given - 0.4 * d);
       EXPECT_NEAR(at(s, {5, 6 + d, 0}), expected, 1e-9);
       EXPECT_NEAR(at(s, {5, 6, d}), expected, 1e-9);
     }
@@ -172,7 +183,7 @@ TEST(SizeField, CrossingCurvesAreNotNarrow) {
                           scenes::plate({6, 0, 0}, {0, 12, 0}, {0, 0, 6}, 1, "ACROSS")};
   const Scene s = scene(models);
   EXPECT_NEAR(at(s, {6.1, 6.1, 0}), kMean, 0.15);
-  EXPECT_NEAR(at(s, {9, 9, 0}), kMean, 1e-9);
+  EXPECT_NEAR(at(s, {9, 9, 0}), kOwn, 1e-9);
 }
 
 Model wedge(double degrees) {
@@ -204,7 +215,7 @@ TEST(SizeField, SlotIsNotNarrowAcrossTheGap) {
   const Model both = scenes::together(std::array{scenes::plate({0, 0, 0}, {6, 0, 0}, {0, 6, 0}, 1),
                                                  scenes::plate({0, 6.1, 0}, {6, 0, 0}, {0, 6, 0}, 1)});
   const Scene s = scene(std::array{both});
-  EXPECT_NEAR(wish(s, {3, 6, 0}), 1, 0.01);
+  EXPECT_NEAR(wish(s, {3, 6, 0}), kOwn, 0.01);
 }
 
 TEST(SizeField, SizeChangesNoFasterThanTheGradation) {
