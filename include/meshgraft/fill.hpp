@@ -1,6 +1,7 @@
 // Filling of holes: faces where a mesh has none.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,14 @@ struct Contour {
 /// All contours of the surface elements of a model, the longest first (equal ones: the smaller label). Holes that
 /// touch in a node are contours of their own. Cost O(m log m).
 [[nodiscard]] std::vector<Contour> contours_of(const Model& model);
+
+struct FreeEdges {
+  std::vector<Contour> contours;              // as of contours_of()
+  std::vector<std::array<NodeId, 2>> others;  // that close no contour: orientations change along them, or they end at
+                                              // an edge of three faces
+};
+
+[[nodiscard]] FreeEdges free_edges_of(const Model& model);
 
 /// Positions in contours_of() of contours that bound one opening together: an outer one and the borders of islands
 /// in it, or two ends of a pipe that lacks a piece.

@@ -23,14 +23,14 @@ class Finder {
  public:
   explicit Finder(const Model& model) : model_(model) { find_free_sides(); }
 
-  std::vector<Contour> run() {
+  FreeEdges run() {
     used_.assign(free_.size(), 0);
     for (std::size_t k = 0; k < free_.size(); ++k)
       if (used_[k] == 0) walk(k);
     std::ranges::sort(contours_, [&](const Contour& a, const Contour& b) {
       return a.length != b.length ? a.length > b.length : label(a.nodes.front()) < label(b.nodes.front());
     });
-    return std::move(contours_);
+    return {std::move(contours_), std::move(others_)};
   }
 
  private:
@@ -111,12 +111,14 @@ class Finder {
       used_[k] = 1;
       way.push_back(k);
     }
-    if (next(way.back()) == first) add(way);  // else the orientation of the elements changes: no contour
+    constexpr std::size_t kLeastSides = 3;
+    if (next(way.back()) == first && way.size() >= kLeastSides)
+      add(way);
+    else
+      for (const std::size_t k : way) others_.push_back({free_[k].from, free_[k].to});
   }
 
   void add(std::span<const std::size_t> way) {
-    constexpr std::size_t kLeastSides = 3;
-    if (way.size() < kLeastSides) return;
     Contour c;
     Vec3 normal, area;
     for (const std::size_t k : way) {
@@ -137,10 +139,13 @@ class Finder {
   std::vector<Side> free_;                    // ascending
   std::vector<std::uint8_t> used_;
   std::vector<Contour> contours_;
+  std::vector<std::array<NodeId, 2>> others_;
 };
 
 }  // namespace
 
-std::vector<Contour> contours_of(const Model& model) { return Finder(model).run(); }
+FreeEdges free_edges_of(const Model& model) { return Finder(model).run(); }
+
+std::vector<Contour> contours_of(const Model& model) { return free_edges_of(model).contours; }
 
 }  // namespace meshgraft

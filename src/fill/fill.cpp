@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "core/components.hpp"
 #include "fill/flaws.hpp"
@@ -58,9 +59,22 @@ Result<void> check_named(const Model& base, std::span<const Contour> all, const 
   return {};
 }
 
+/// Names free edges that bound nothing that could be filled.
+std::optional<Warning> no_contour(const Model& base, const FreeEdges& edges) {
+  if (edges.others.empty()) return {};
+  const NodeId at = edges.others.front()[0];
+  return Warning{"no-contour",
+                 std::to_string(edges.others.size()) + " free edges, one of them at " +
+                     text_of(base.position[at.value]) +
+                     ", close no contour: the orientation of faces changes along them, or they end where an edge has "
+                     "three faces; what they bound is not filled",
+                 place_of(base, at)};
+}
+
 /// The openings to fill; warnings for contours that are not.
-Result<Openings> chosen(const Model& base, std::span<const Contour> all, const FillOptions& options,
+Result<Openings> chosen(const Model& base, const FreeEdges& edges, const FillOptions& options,
                         std::vector<Warning>& warnings) {
+  const std::span<const Contour> all = edges.contours;
   if (!options.openings.empty()) {
     if (const auto ok = check_named(base, all, options.openings); !ok) return Failure(ok.error());
     return options.openings;
@@ -81,11 +95,15 @@ Result<Openings> chosen(const Model& base, std::span<const Contour> all, const F
                               (all[k].is_hole ? "elements along it are not linear triangles"
                                               : "it is an outer border, or the end of a pipe; name it to fill it"),
                           place_of_contour(base, all[k])});
+  const auto open = no_contour(base, edges);
+  if (open) warnings.push_back(*open);
   if (openings.empty())
     return failure(ErrorCode::kUsage, "nothing to fill in " + base.path,
-                   all.empty() ? "it has no free edges"
-                               : "its contours are outer borders or run along other elements; name one with --contour",
-                   {});
+                   open ? open->what
+                   : all.empty()
+                       ? "it has no free edges"
+                       : "its contours are outer borders or run along other elements; name one with --contour",
+                   open ? open->place : Place{});
   return openings;
 }
 
@@ -193,8 +211,9 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   const std::vector<const Model*> inputs{&base};
   if (const auto ok = check_compatible(inputs, options.zone); !ok) return Failure(ok.error());
   Ground ground(inputs, merged);
-  const std::vector<Contour> all = contours_of(base);
-  const auto openings = chosen(base, all, options, report.warnings);
+  const FreeEdges free_edges = free_edges_of(base);
+  const std::span<const Contour> all = free_edges.contours;
+  const auto openings = chosen(base, free_edges, options, report.warnings);
   if (!openings) return Failure(openings.error());
   const Components components = one_for_each_input(1);
   WorkpieceOptions workpiece_options;

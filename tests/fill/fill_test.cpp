@@ -137,6 +137,24 @@ TEST(Fill, AClosedMeshHasNothingToFill) {
   EXPECT_EQ(fill(scenes::sphere({0, 0, 0}, 1, 4)).error().code, ErrorCode::kUsage);
 }
 
+TEST(Fill, AHoleAlongWhichFacesTurnIsNamed) {
+  const Model holed = without_faces(scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1), within({0.5, 0.5, 0}, 0.2));
+  ModelBuilder turned;
+  for (const Vec3 p : holed.position) turned.add_node(p);
+  for (std::size_t e = 0; e < holed.n_elements(); ++e) {
+    const auto v = holed.nodes_of(ElementId(e));
+    const bool left = centroid(holed.corners(ElementId(e))).x < 0.5;
+    turned.add_face(v[0], left ? v[2] : v[1], left ? v[1] : v[2]);
+  }
+  const Model base = turned.build();
+  EXPECT_FALSE(free_edges_of(base).others.empty());
+  EXPECT_TRUE(free_edges_of(holed).others.empty());
+  const auto result = fill(base);
+  ASSERT_FALSE(result.has_value());
+  EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+  EXPECT_NE(result.error().hint.find("close no contour"), std::string::npos) << result.error().hint;
+}
+
 TEST(Fill, AnEndOfAPipeThatIsNamedGetsACap) {
   for (const Vec3 axis : {Vec3{0, 0, 1}, {0.6, 0, 0.8}})
     for (const double radius : {0.15, 0.2, 0.275, 0.3, 0.4, 0.5, 0.7, 0.95}) {
