@@ -55,13 +55,17 @@ class Tracer {
     return lerp(l_.at(s, m_.side[s].ends(e)[0]), l_.at(s, m_.side[s].ends(e)[1]), t);
   }
 
-  /// True if the middle of a piece lies on the other side, as that one sees it.
+  /// True if the middle of a piece lies on the other side: as it is, or as that one sees it, whose surface may curve
+  /// away from the chord.
   [[nodiscard]] bool is_covered(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) const {
-    const Vec3 middle =
-        lerp(l_.at(1 - s, m_.symbols[from.symbol].vertex), l_.at(1 - s, m_.symbols[to.symbol].vertex), 0.5);
+    const Vec3 own = on_edge(s, e, 0.5 * (from.t + to.t));
+    const Vec3 seen =
+        midpoint(l_.at(1 - s, m_.symbols[from.symbol].vertex), l_.at(1 - s, m_.symbols[to.symbol].vertex));
     const auto faces = m_.side[s].faces_at_edge(e);
     return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) {
-      return l_.in_contact[s][f] && l_.cover[1 - s].covers(middle, unit_normal(l_.triangle(s, f)), l_.rule);
+      const Vec3 n = unit_normal(l_.triangle(s, f));
+      const Cover& cover = l_.cover[1 - s];
+      return l_.in_contact[s][f] && (cover.covers(seen, n, l_.rule) || cover.covers(own, n, l_.rule));
     });
   }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "meshgraft/merge.hpp"
@@ -241,6 +243,28 @@ TEST(Stacks, AProfileWithBothLegsOverTheEdgeOfAPlateIsRefusedWithTheirDistance) 
     EXPECT_EQ(merged.error().code, ErrorCode::kOverlap);
     EXPECT_NE(merged.error().what.find("two layers of one mesh, 0.04 apart"), std::string::npos) << merged.error().what;
   }
+}
+
+/// Facets of a shank and of the hole that it stands in are nowhere farther apart than the greater sagitta, 0.123; the
+/// chord of an edge of the one, seen in the surface of the other, is up to twice as far.
+TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
+  const auto tube = [](std::size_t around, std::size_t along, double low, double high, double turned,
+                       const std::string& group) {
+    const auto at = [=](double u, double v) {
+      const double a = 2 * std::numbers::pi * u + turned;
+      return Vec3{10 * std::cos(a), 10 * std::sin(a), std::lerp(low, high, v)};
+    };
+    return scenes::surface({at, around, along, true, false, 0, 1, group});
+  };
+  const Model hole = tube(20, 6, 0, 20, 0, "HOLE"), shank = tube(22, 19, -20.3, 39.7, 0.27, "SHANK");
+  MergeOptions options;
+  options.tolerance = {0.185, false};
+  const auto merged = merge(hole, std::span(&shank, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  EXPECT_EQ(merged->report.junction.size(), 2u);
+  EXPECT_NEAR(merged->report.overlaps.at(0).area, 400 * std::numbers::pi, 12);
+  scenes::expect_sound(apply(hole, std::span(&shank, 1), *merged));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
