@@ -59,16 +59,19 @@ std::set<std::string> documented_warnings() {
   return names;
 }
 
-/// Names that the sources give to warnings: `warn(..., "name",`, `warning("name",` and `warnings.push_back({"name",`.
+/// Names that the sources give to warnings: `warn(..., "name",`, `warning("name",`, `warnings.push_back({"name",` and
+/// `Warning{"name",`.
 std::set<std::string> warnings_of_sources() {
   const std::regex made(R"re(\bwarn(?:ing)?\(\s*(?:[^()"]*,\s*)?"([a-z-]+)",)re"
-                        R"re(|\bwarnings?(?:\.push_back\(|\s*=)\s*\{\s*"([a-z-]+)",)re");
+                        R"re(|\bwarnings?(?:\.push_back\(|\s*=)\s*\{\s*"([a-z-]+)",)re"
+                        R"re(|\bWarning\{\s*"([a-z-]+)",)re");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(MESHGRAFT_SOURCES)) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_text(entry.path());
     for (std::sregex_iterator at(text.begin(), text.end(), made), end; at != end; ++at)
-      names.insert((*at)[1].matched ? (*at)[1] : (*at)[2]);
+      for (std::size_t k = 1; k < at->size(); ++k)
+        if ((*at)[k].matched) names.insert((*at)[k]);
   }
   return names;
 }
