@@ -46,19 +46,24 @@ const Scene& cached(Make make, std::size_t n_faces) {
   return *scene;
 }
 
-const Scene& scene_of(const State& state) { return cached(&growing_zone, static_cast<std::size_t>(state.range(0))); }
+using Make = Scene (*)(std::size_t n_faces);
+
+const Scene& scene_of(const State& state, Make make = &growing_zone) {
+  return cached(make, static_cast<std::size_t>(state.range(0)));
+}
 
 struct Files {
   fs::path base, part, output;
   [[nodiscard]] std::uintmax_t input_bytes() const { return fs::file_size(base) + fs::file_size(part); }
 };
 
-/// The growing scene as files, written on first use.
-Files files_of(const State& state) {
-  const std::string n = std::to_string(state.range(0));
-  Files files{directory / ("base" + n + ".unv"), directory / ("part" + n + ".unv"), directory / "output.unv"};
+/// A scene as files, written on first use.
+Files files_of(const State& state, Make make = &growing_zone) {
+  const std::string kind = make == &growing_zone ? "growing" : "constant", n = std::to_string(state.range(0));
+  Files files{directory / (kind + "_base" + n + ".unv"), directory / (kind + "_part" + n + ".unv"),
+              directory / "output.unv"};
   if (!fs::exists(files.part)) {
-    const Scene& scene = scene_of(state);
+    const Scene& scene = scene_of(state, make);
     if (!write_unv(scene.base, files.base.string()) || !write_unv(scene.parts[0], files.part.string())) {
       std::cerr << "cannot write to " << directory << '\n';
       std::exit(5);
@@ -201,8 +206,8 @@ double peak_memory(const fs::path& report) {
   return at == std::string::npos ? 0 : std::strtod(text.c_str() + at + key.size(), nullptr);
 }
 
-void run_program(State& state) {
-  const Files files = files_of(state);
+void run_program(State& state, Make make) {
+  const Files files = files_of(state, make);
   const std::vector<std::string> command{
       program.string(), "merge", files.base.string(), files.part.string(), "-q", "-o", files.output.string()};
   for (auto _ : state) {
@@ -220,8 +225,8 @@ void run_program(State& state) {
   state.counters["bytes_per_face"] = (peak_memory(report) - bytes) / static_cast<double>(state.range(0));
 }
 
-void run_cp(State& state) {
-  const Files files = files_of(state);
+void run_cp(State& state, Make make) {
+  const Files files = files_of(state, make);
   const std::string copy_of_part = files.output.string() + ".part";
   for (auto _ : state) {
     remove_output(state, files);
@@ -281,15 +286,16 @@ void register_all() {
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
     };
-    add("cp", run_cp);
+    add("cp_zone", [](State& state) { run_cp(state, &constant_zone); });
+    add("program_zone", [](State& state) { run_program(state, &constant_zone); });
+    add("cp", [](State& state) { run_cp(state, &growing_zone); });
     add("read", read_file);
     add("write", write_merged);
-    add("program", run_program);
+    add("program", [](State& state) { run_program(state, &growing_zone); });
     add("merge", [](State& state) { merge_arrays(state, scene_of(state)); });
     add("peer", [](State& state) { merge_with_peer(state, true); });
     add("peer_apart", [](State& state) { merge_with_peer(state, false); });
-    add("zone",
-        [](State& state) { merge_arrays(state, cached(&constant_zone, static_cast<std::size_t>(state.range(0)))); });
+    add("zone", [](State& state) { merge_arrays(state, scene_of(state, &constant_zone)); });
     if (n < kLeastForGrid || n > kMostForGrid) continue;
     add("grid", [](State& state) { merge_arrays(state, grid_of(state)); });
     add("grid_singly", merge_singly);

@@ -39,19 +39,23 @@ const Results::Measured* Results::find(const std::string& what, long n_faces) co
   return it == best_.end() ? nullptr : &it->second;
 }
 
-void Results::print_program_table() const {
-  fmt::print("\nFrom files to file: the program, beside cp of the bytes it reads; processor time of all threads\n");
-  fmt::print("{:>9} {:>8} {:>9} {:>9} {:>7} {:>11} {:>10} {:>10}\n", "faces", "MB", "cp ms", "merge ms", "ratio",
-             "B/face peak", "read MB/s", "write MB/s");
+void Results::print_program_table(const std::string& suffix, const std::string& title) const {
+  fmt::print("\nFrom files to file: the program, beside cp of the bytes it reads; {}\n", title);
+  fmt::print("{:>9} {:>8} | {:>8} {:>9} {:>6} | {:>8} {:>9} {:>6} | {:>11} {:>9} {:>10}\n", "faces", "MB", "cp clock",
+             "merge", "ratio", "cp cpu", "merge", "ratio", "B/face peak", "read MB/s", "write MB/s");
   for (const auto& [key, program] : best_) {
-    if (key.first != "program") continue;
-    const Measured *cp = find("cp", key.second), *read = find("read", key.second), *write = find("write", key.second);
-    if (!cp || !read || !write) continue;
+    if (key.first != "program" + suffix) continue;
+    const Measured *cp = find("cp" + suffix, key.second), *read = find("read", key.second),
+                   *write = find("write", key.second);
+    if (!cp) continue;
     const double cpu = counter(&program, kCpu), cp_cpu = counter(cp, kCpu);
-    fmt::print("{:>9} {:>8.1f} {:>9.1f} {:>9.1f} {:>7.2f} {:>11.0f} {:>10.0f} {:>10.0f}\n", key.second,
-               counter(&program, "bytes") / kMillion, cp_cpu * 1e3, cpu * 1e3, cpu / cp_cpu,
-               counter(&program, "bytes_per_face"), counter(read, "bytes") / kMillion / counter(read, kCpu),
-               counter(write, "bytes") / kMillion / counter(write, kCpu));
+    fmt::print("{:>9} {:>8.1f} | {:>8.1f} {:>9.1f} {:>6.2f} | {:>8.1f} {:>9.1f} {:>6.2f} | {:>11.0f}", key.second,
+               counter(&program, "bytes") / kMillion, cp->seconds * 1e3, program.seconds * 1e3,
+               program.seconds / cp->seconds, cp_cpu * 1e3, cpu * 1e3, cpu / cp_cpu,
+               counter(&program, "bytes_per_face"));
+    for (const Measured* m : {read, write})
+      fmt::print(" {:>9.0f}", m ? counter(m, "bytes") / kMillion / counter(m, kCpu) : 0);
+    fmt::print("\n");
   }
 }
 
@@ -110,7 +114,8 @@ void Results::print_stage_table(const std::string& what, const std::string& titl
 }
 
 void Results::print_tables() const {
-  print_program_table();
+  print_program_table("_zone", "stiffener of 42 edges");
+  print_program_table("", "zone growing with the model");
   print_array_table();
   print_grid_table();
   print_stage_table("merge", "Stages of merge in ms, zone growing with the model");
