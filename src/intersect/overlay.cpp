@@ -322,9 +322,8 @@ class Overlayer {
       const GroupSetId own = complex_.groups_on(component, v);
       common = common.valid() ? groups_.intersect(common, own) : own;
     }
-    for (const VertexId v : complex_.face[f.value])  // those with a symbol have got their groups with it
-      if (!l.meeting.is_new(v) && !l.meeting.has_symbol(l.stays, v))
-        complex_.join_groups(v, component, common, groups_);
+    for (const VertexId v : complex_.face[f.value])  // those with a symbol have their own, or have got them with it
+      if (!on_both_[v.value]) complex_.join_groups(v, component, common, groups_);
   }
 
   void extend_reach(const LyingMeeting& l, FaceId f, FaceId g) {

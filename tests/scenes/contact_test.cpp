@@ -267,6 +267,71 @@ TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
   scenes::expect_sound(apply(hole, std::span(&shank, 1), *merged));
 }
 
+/// A rim of nodes in two node groups, as programs write that list the nodes of each face: they were taken for named ones.
+TEST(FusedContact, NodesOnTheFoldOfAProfileStayInTheNodeGroupsOfBothLegs) {
+  constexpr double kSize = 0.1, kFold = 1.23;
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "PLATE", 0.15);
+  scenes::Surface profile;  // a foot on the plate, a web at its end
+  profile.at = [](double u, double v) {
+    const double along = 0.8 * u;
+    return Vec3{kFold - std::max(0.4 - along, 0.0), 0.13 + 0.7 * v, std::max(along - 0.4, 0.0)};
+  };
+  profile.nu = 8, profile.nv = 7;
+  const Model legs = scenes::surface(profile);
+  ModelBuilder builder = scenes::faces_of(legs);
+  for (std::size_t n = 0; n < legs.n_nodes(); ++n) {
+    if (legs.position[n].z < 1e-9) builder.add_to_group("FOOT", NodeId(n));
+    if (legs.position[n].x > kFold - 1e-9) builder.add_to_group("WEB", NodeId(n));
+  }
+  const Model part = builder.build();
+  const auto merged = merge(plate, std::span(&part, 1));
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  EXPECT_GE(merged->report.quality.min, 0.5);
+  const Model result = apply(plate, std::span(&part, 1), *merged);
+  std::vector<double> on_fold;
+  for (std::size_t n = 0; n < result.n_nodes(); ++n) {
+    const Vec3 p = result.position[n];
+    if (std::abs(p.x - kFold) > 1e-9 || std::abs(p.z) > 1e-9 || p.y < 0.13 - 1e-9 || p.y > 0.83 + 1e-9) continue;
+    on_fold.push_back(p.y);
+    std::set<std::string> groups;
+    for (const GroupId g : result.group_sets.members(result.node_groups[n])) groups.insert(result.groups[g.value].name);
+    EXPECT_EQ(groups, (std::set<std::string>{"FOOT", "WEB"})) << p.y;
+  }
+  std::ranges::sort(on_fold);
+  ASSERT_GE(on_fold.size(), 6u);
+  for (std::size_t i = 1; i < on_fold.size(); ++i) EXPECT_GE(on_fold[i] - on_fold[i - 1], 0.5 * kSize);
+}
+
+/// Two plates with walls around a common hole, which one divides into 6 and the other into 10. Facets of a round wall are
+/// turned from row to row, so that they lean over those of the other wall.
+TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
+  const auto flange = [](std::size_t n, double side, double outer, double turned) {
+    const double half = std::numbers::pi / static_cast<double>(n);
+    const auto around = [=](double r, double a, double z) {
+      return Vec3{r * std::cos(a + turned), r * std::sin(a + turned), z};
+    };
+    scenes::Surface plate, wall;
+    plate.at = [=](double u, double v) { return around(5 + (outer - 5) * v, 2 * std::numbers::pi * u, 0); };
+    wall.at = [=](double u, double v) { return around(5, 2 * std::numbers::pi * u + 2 * half * v, 5 * side * v); };
+    plate.nu = wall.nu = n, plate.nv = 3, wall.nv = 2, plate.closed_u = wall.closed_u = true;
+    const std::array<Model, 2> both{scenes::surface(plate), scenes::surface(wall)};
+    return scenes::welded(scenes::together(both));
+  };
+  const Model base = flange(6, -1, 20, 0);
+  for (const double turned : {0.1, 0.5, 0.627}) {
+    const Model part = flange(10, 1, 14, turned);
+    for (const double tolerance : {0.01, 0.1}) {
+      MergeOptions options;
+      options.tolerance = {tolerance, true}, options.min_quality = 0.2;
+      const auto merged = merge(base, std::span(&part, 1), options);
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+      EXPECT_FALSE(merged->report.overlaps.empty());
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
   std::string name = all_scenes()[scene.param].name;
   for (char& c : name)
