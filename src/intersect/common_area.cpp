@@ -1,5 +1,7 @@
 #include "intersect/common_area.hpp"
 
+#include <algorithm>
+
 namespace meshgraft {
 namespace {
 
@@ -38,6 +40,13 @@ double area_of(const std::vector<Vec3>& polygon) {
   Vec3 sum;
   for (std::size_t i = 2; i < polygon.size(); ++i) sum += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
   return 0.5 * norm(sum);
+}
+
+double diameter(const std::vector<Vec3>& polygon) {
+  double most = 0;
+  for (const Vec3 p : polygon)
+    for (const Vec3 q : polygon) most = std::max(most, distance(p, q));
+  return most;
 }
 
 }  // namespace meshgraft

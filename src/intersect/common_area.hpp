@@ -15,5 +15,7 @@ namespace meshgraft {
 [[nodiscard]] std::vector<Vec3> within(std::vector<Vec3> polygon, const Triangle& t, const Reach& heights);
 
 [[nodiscard]] double area_of(const std::vector<Vec3>& polygon);
+/// The largest distance between two corners.
+[[nodiscard]] double diameter(const std::vector<Vec3>& polygon);
 
 }  // namespace meshgraft

@@ -26,10 +26,12 @@ struct CommonArea {
   [[nodiscard]] bool stands_off() const { return whole > 0 && !lies_on(); }
 };
 
-CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights) {
+/// A strip narrower than `narrow` is none: snapping takes it away, or makes it what it is. Walls of one hole in two plates
+/// share such strips where their facets lean over each other.
+CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights, double narrow = 0) {
   const std::vector<Vec3> shared = part_over(u, t);
   const double whole = area_of(shared);
-  if (whole <= kNoArea * std::min(area(t), area(u))) return {};
+  if (whole <= std::max(kNoArea * std::min(area(t), area(u)), narrow * diameter(shared))) return {};
   return {whole, area_of(within(shared, t, heights))};
 }
 
@@ -59,6 +61,30 @@ Reach heights_on(FaceId f, FaceId g, bool same_way, double gap, std::span<const 
   const Reach own = reach[f.value], other = same_way ? reach[g.value].turned() : reach[g.value];
   return {own.low + other.low - gap, own.high + other.high + gap};
 }
+
+/// Faces that lie on the other side, found by their corners.
+class LyingFaces {
+ public:
+  LyingFaces(const Complex& complex, const ContactRule& rule) : complex_(complex), rule_(rule) {}
+  void add(FaceId f) {
+    for (const VertexId v : complex_.face[f.value]) at_[v].push_back(f);
+  }
+  /// Whether one of them goes on in `f`: has a corner of it, and no fold between them.
+  [[nodiscard]] bool go_on_in(FaceId f) const {
+    const Vec3 n = unit_normal(complex_.corners(f));
+    return std::ranges::any_of(complex_.face[f.value], [&](VertexId v) {
+      const auto found = at_.find(v);
+      return found != at_.end() && std::ranges::any_of(found->second, [&](FaceId g) {
+               return rule_.is_flat(n, unit_normal(complex_.corners(g)));
+             });
+    });
+  }
+
+ private:
+  const Complex& complex_;
+  const ContactRule& rule_;
+  std::map<VertexId, std::vector<FaceId>> at_;
+};
 
 }  // namespace
 
@@ -95,8 +121,9 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
           const double smaller = std::min(size[f.value], size[g.value]);
           const Reach heights = heights_on(f, g, dot(n, m) > 0, rule.gap(smaller), reach);
           if (within({u.begin(), u.end()}, t, heights).empty()) return;
-          const CommonArea area = common_area(t, u, heights);
-          const bool is_beside = area.whole == 0 && !within(part_over(u, t, rule.beside(smaller)), t, heights).empty();
+          const double beside = rule.beside(smaller);
+          const CommonArea area = common_area(t, u, heights, beside);
+          const bool is_beside = area.whole == 0 && !within(part_over(u, t, beside), t, heights).empty();
           out.push_back({{f, g}, area, is_beside});
         });
       },
@@ -109,14 +136,19 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   const auto lie = [&](const Found& f) {
     return f.area.lies_on() && of_face[f.pair[0]].lies_on() && of_face[f.pair[1]].lies_on();
   };
+  LyingFaces lying(complex, rule);
+  for (const Found& f : found)
+    if (lie(f))
+      for (const FaceId face : f.pair) lying.add(face);
+  // Walls of one hole in two plates abut; where the plates lie on each other the walls never do.
   const auto may_come_to_lie = [&](const Found& f) {
-    return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off();
+    return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off() &&
+           std::ranges::any_of(f.pair, [&](FaceId face) { return lying.go_on_in(face); });
   };
-  const bool any = std::ranges::any_of(found, lie);
   Contacts contacts;
   for (const Found& f : found) {
     contacts.pairs.push_back(f.pair);
-    contacts.on_each_other.push_back(any && (lie(f) || may_come_to_lie(f)) ? 1 : 0);
+    contacts.on_each_other.push_back(lie(f) || may_come_to_lie(f) ? 1 : 0);
   }
   return contacts;
 }
