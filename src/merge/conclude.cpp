@@ -18,6 +18,7 @@
 #include "merge/report_summary.hpp"
 #include "merge/result_check.hpp"
 #include "merge/stitch.hpp"
+#include "merge/trim.hpp"
 
 namespace meshgraft {
 namespace {
@@ -64,15 +65,17 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   QualityVerdict quality;
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
-  std::vector<Warning> near_misses, creases;
+  std::vector<Warning> loose_ends, near_misses, creases;
   tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
                        [&] { fidelity = fidelity_of(outcome, options.tolerance); },
                        [&] { coverage = coverage_of(outcome, options.tolerance); },
+                       [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
                        [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
                        [&] { quality = quality_of(outcome, bad, options.min_quality); },
                        [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
+  append(report.warnings, std::move(loose_ends));
   append(report.warnings, std::move(near_misses));
   append(report.warnings, std::move(creases));
   report.quality = std::move(quality.summary);

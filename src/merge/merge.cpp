@@ -82,8 +82,6 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
 
   Dropped dropped;
   if (options.trim) report.dropped = trim(original, *corefined, *options.trim, graft, dropped);
-  for (Warning& warning : loose_end_warnings(inputs, original, *corefined, options.tolerance))
-    report.warnings.push_back(std::move(warning));
 
   watch.start("remesh", 0.3);  // paper 5.3 to 5.6
   const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);

@@ -203,9 +203,9 @@ double depth(const Complex& complex, const LooseEnd& end) {
 
 }  // namespace
 
-std::vector<Warning> loose_end_warnings(Inputs inputs, const Complex& original, const Corefined& corefined,
-                                        Tolerance tolerance) {
-  const Complex& complex = corefined.complex;
+std::vector<Warning> loose_end_warnings(const Outcome& outcome, const Tolerance& tolerance) {
+  const Inputs inputs = outcome.inputs;
+  const Complex& complex = outcome.corefined.complex;
   const auto is_short = [&](const LooseEnd& end) {
     if (!end.tip.valid()) return false;
     double allowed = 0;
@@ -216,7 +216,7 @@ std::vector<Warning> loose_end_warnings(Inputs inputs, const Complex& original, 
     return end.length <= kLongestWay * allowed && depth(complex, end) <= allowed;
   };
   std::map<std::uint32_t, std::vector<LooseEnd>> of_input;
-  for (LooseEnd& end : Trimmer(original, corefined, is_short).loose_ends())
+  for (LooseEnd& end : Trimmer(outcome.original, outcome.corefined, is_short).loose_ends())
     of_input[complex.parent[end.faces.front().value].input].push_back(std::move(end));
   std::vector<Warning> warnings;
   for (const auto& [input, ends] : of_input) {

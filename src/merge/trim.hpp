@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "merge/dropped.hpp"
-#include "merge/inputs.hpp"
+#include "merge/outcome.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
@@ -22,7 +22,6 @@ std::vector<DroppedEntry> trim(const Complex& original, Corefined& corefined, do
 
 /// Warnings sticks-out, one for each part with loose ends no longer than the tolerance: how many, the longest of them,
 /// where. They are penetrations that were to be closed, and could not be drawn back.
-[[nodiscard]] std::vector<Warning> loose_end_warnings(Inputs inputs, const Complex& original,
-                                                      const Corefined& corefined, Tolerance tolerance);
+[[nodiscard]] std::vector<Warning> loose_end_warnings(const Outcome& outcome, const Tolerance& tolerance);
 
 }  // namespace meshgraft
