@@ -26,8 +26,8 @@ struct CommonArea {
   [[nodiscard]] bool stands_off() const { return whole > 0 && !lies_on(); }
 };
 
-/// A strip narrower than `narrow` is none: snapping takes it away, or makes it what it is. Walls of one hole in two plates
-/// share such strips where their facets lean over each other.
+/// A strip narrower than `narrow` is none: snapping takes it away, or makes it what it is. Walls of one hole in two
+/// plates share such strips where their facets lean over each other.
 CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights, double narrow = 0) {
   const std::vector<Vec3> shared = part_over(u, t);
   const double whole = area_of(shared);

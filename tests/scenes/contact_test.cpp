@@ -267,7 +267,8 @@ TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
   scenes::expect_sound(apply(hole, std::span(&shank, 1), *merged));
 }
 
-/// A rim of nodes in two node groups, as programs write that list the nodes of each face: they were taken for named ones.
+/// A rim of nodes in two node groups, as programs write that list the nodes of each face: they were taken for named
+/// ones.
 TEST(FusedContact, NodesOnTheFoldOfAProfileStayInTheNodeGroupsOfBothLegs) {
   constexpr double kSize = 0.1, kFold = 1.23;
   const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "PLATE", 0.15);
@@ -303,8 +304,8 @@ TEST(FusedContact, NodesOnTheFoldOfAProfileStayInTheNodeGroupsOfBothLegs) {
   for (std::size_t i = 1; i < on_fold.size(); ++i) EXPECT_GE(on_fold[i] - on_fold[i - 1], 0.5 * kSize);
 }
 
-/// Two plates with walls around a common hole, which one divides into 6 and the other into 10. Facets of a round wall are
-/// turned from row to row, so that they lean over those of the other wall.
+/// Two plates with walls around a common hole, which one divides into 6 and the other into 10. Facets of a round wall
+/// are turned from row to row, so that they lean over those of the other wall.
 TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
   const auto flange = [](std::size_t n, double side, double outer, double turned) {
     const double half = std::numbers::pi / static_cast<double>(n);
