@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/blocks.hpp"
+#include "core/distinct.hpp"
 #include "geometry/closest.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/common_area.hpp"
@@ -21,18 +22,17 @@ constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one 
 /// Area that two faces share, and the part of it within the gap.
 struct CommonArea {
   double whole = 0, within = 0;
+  bool is_broad = false;  // not a strip that snapping could make or take away
   void add(const CommonArea& other) { whole += other.whole, within += other.within; }
   [[nodiscard]] bool lies_on() const { return whole > 0 && within >= kMost * whole; }
   [[nodiscard]] bool stands_off() const { return whole > 0 && !lies_on(); }
 };
 
-/// A strip narrower than `narrow` is none: snapping takes it away, or makes it what it is. Walls of one hole in two
-/// plates share such strips where their facets lean over each other.
-CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights, double narrow = 0) {
+CommonArea common_area(const Triangle& t, const Triangle& u, const Reach& heights, double beside = 0) {
   const std::vector<Vec3> shared = part_over(u, t);
   const double whole = area_of(shared);
-  if (whole <= std::max(kNoArea * std::min(area(t), area(u)), narrow * diameter(shared))) return {};
-  return {whole, area_of(within(shared, t, heights))};
+  if (whole <= kNoArea * std::min(area(t), area(u))) return {};
+  return {whole, area_of(within(shared, t, heights)), whole > beside * diameter(shared)};
 }
 
 struct Boxed {
@@ -65,24 +65,26 @@ Reach heights_on(FaceId f, FaceId g, bool same_way, double gap, std::span<const 
 /// Faces that lie on the other side, found by their corners.
 class LyingFaces {
  public:
-  LyingFaces(const Complex& complex, const ContactRule& rule) : complex_(complex), rule_(rule) {}
-  void add(FaceId f) {
-    for (const VertexId v : complex_.face[f.value]) at_[v].push_back(f);
+  LyingFaces(const Complex& complex, std::vector<FaceId> faces) : complex_(complex) {
+    make_distinct(faces);
+    for (const FaceId f : faces)
+      for (const VertexId v : complex.face[f.value]) at_[v].push_back(f);
   }
-  /// Whether one of them goes on in `f`: has a corner of it, and no fold between them.
-  [[nodiscard]] bool go_on_in(FaceId f) const {
+  /// Whether such faces have corners of `f`, but all only around a fold.
+  [[nodiscard]] bool are_around_a_fold(FaceId f, const ContactRule& rule) const {
     const Vec3 n = unit_normal(complex_.corners(f));
-    return std::ranges::any_of(complex_.face[f.value], [&](VertexId v) {
-      const auto found = at_.find(v);
-      return found != at_.end() && std::ranges::any_of(found->second, [&](FaceId g) {
-               return rule_.is_flat(n, unit_normal(complex_.corners(g)));
-             });
-    });
+    bool any = false;
+    for (const VertexId v : complex_.face[f.value])
+      if (const auto found = at_.find(v); found != at_.end())
+        for (const FaceId g : found->second) {
+          if (rule.is_flat(n, unit_normal(complex_.corners(g)))) return false;
+          any = true;
+        }
+    return any;
   }
 
  private:
   const Complex& complex_;
-  const ContactRule& rule_;
   std::map<VertexId, std::vector<FaceId>> at_;
 };
 
@@ -136,19 +138,24 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   const auto lie = [&](const Found& f) {
     return f.area.lies_on() && of_face[f.pair[0]].lies_on() && of_face[f.pair[1]].lies_on();
   };
-  LyingFaces lying(complex, rule);
-  for (const Found& f : found)
-    if (lie(f))
-      for (const FaceId face : f.pair) lying.add(face);
-  // Walls of one hole in two plates abut; where the plates lie on each other the walls never do.
   const auto may_come_to_lie = [&](const Found& f) {
-    return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off() &&
-           std::ranges::any_of(f.pair, [&](FaceId face) { return lying.go_on_in(face); });
+    return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off();
+  };
+  const bool any = std::ranges::any_of(found, lie);
+  std::vector<FaceId> broadly;
+  for (const Found& f : found)
+    if (lie(f) && f.area.is_broad) broadly.insert(broadly.end(), f.pair.begin(), f.pair.end());
+  const LyingFaces lying(complex, std::move(broadly));
+  // Where two plates with a common hole lie on each other the walls of the hole abut, and lean over each other by a
+  // hair.
+  const auto abut = [&](const Found& f) {
+    return !f.area.is_broad &&
+           std::ranges::all_of(f.pair, [&](FaceId face) { return lying.are_around_a_fold(face, rule); });
   };
   Contacts contacts;
   for (const Found& f : found) {
     contacts.pairs.push_back(f.pair);
-    contacts.on_each_other.push_back(lie(f) || may_come_to_lie(f) ? 1 : 0);
+    contacts.on_each_other.push_back(any && (lie(f) || may_come_to_lie(f)) && !abut(f) ? 1 : 0);
   }
   return contacts;
 }

@@ -30,7 +30,8 @@ struct ContactRule {
 struct Contacts {
   std::vector<std::array<FaceId, 2>> pairs;  // ascending
   /// By pair: within the gap over most of the area that they, and each of them and the other side, have in
-  /// common; or without common area, beside a face that lies so, and so near that snapping may give them some.
+  /// common; or without common area and so near that snapping may give them some. None if there is no area, and not where
+  /// faces abut around a fold from others that lie on each other.
   std::vector<std::uint8_t> on_each_other;
 };
 /// `reach`: by face, see FaceMarks; may be empty.

@@ -333,6 +333,25 @@ TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
   }
 }
 
+/// A lap narrower than what is snapped, alone or as the end of a wider one, is one all the same.
+TEST(FusedContact, NarrowLapsAreJoined) {
+  constexpr double kSize = 0.1;
+  const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, kSize, "PLATE", 0.15);
+  struct Lap {
+    double at_start, at_end, height;  // over the edge at x = 1
+  };
+  for (const Lap lap : {Lap{0.0099, 0.0099, 0}, Lap{0.009, 0.009, 0.008}, Lap{-0.005, 0.015, 0.002}}) {
+    const Vec3 from{1 - lap.at_start, 0.13, lap.height}, along{lap.at_start - lap.at_end, 0.7, 0};
+    const Model part = scenes::plate(from, {0.8, 0, 0}, along, 0.9 * kSize, "PART", 0.15);
+    MergeOptions options;
+    options.tolerance = {0.1, true};
+    const auto merged = merge(plate, std::span(&part, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    for (const Warning& warning : merged->report.warnings) EXPECT_NE(warning.name, "partly-in-reach") << warning.what;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
   std::string name = all_scenes()[scene.param].name;
   for (char& c : name)
