@@ -20,7 +20,7 @@ ExitCode list(const FillArguments& arguments) {
   const auto model = read_unv(arguments.mesh.base, ReadOptions{.threads = arguments.common.threads});
   if (!model) return failed(model.error());
   print_warnings(model->warnings, arguments.common.talk);
-  const std::vector<Contour> contours = contours_of(*model);
+  const auto [contours, others] = free_edges_of(*model);
   std::vector<std::optional<std::size_t>> around(contours.size());  // the hole in which a contour stands
   for (const OpeningContours& opening : openings_of(*model, contours))
     for (std::size_t k = 1; k < opening.size(); ++k) around[opening[k]] = opening.front();
@@ -32,7 +32,8 @@ ExitCode list(const FillArguments& arguments) {
                            model->node_label[c.nodes.front().value], figure(c.length), figure(c.centre.x),
                            figure(c.centre.y), figure(c.centre.z)));
   }
-  if (contours.empty()) print_line("contours", "none: the mesh has no free edges");
+  if (contours.empty() && others.empty()) print_line("contours", "none: the mesh has no free edges");
+  if (!others.empty()) print_line("no contour", fmt::format("closed by {} free edges", others.size()));
   return kDone;
 }
 

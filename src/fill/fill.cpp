@@ -63,12 +63,12 @@ Result<void> check_named(const Model& base, std::span<const Contour> all, const 
 std::optional<Warning> no_contour(const Model& base, const FreeEdges& edges) {
   if (edges.others.empty()) return {};
   const NodeId at = edges.others.front()[0];
-  return Warning{"no-contour",
-                 std::to_string(edges.others.size()) + " free edges, one of them at " +
-                     text_of(base.position[at.value]) +
-                     ", close no contour: the orientation of faces changes along them, or they end where an edge has "
-                     "three faces; what they bound is not filled",
-                 place_of(base, at)};
+  return Warning{
+      "no-contour",
+      std::to_string(edges.others.size()) + " free edges, one of them at " + text_of(base.position[at.value]) +
+          ", close no contour and are left as they are: the rim of a plate that stands on another, or of a hole "
+          "beside one; or the orientation of faces changes along them",
+      place_of(base, at)};
 }
 
 /// The openings to fill; warnings for contours that are not.
