@@ -33,6 +33,16 @@ TEST(Fill, ListsContoursWithTheirNumbers) {
   EXPECT_EQ(folder.run({"fill", "holed.unv", "--list", "-o", "out.unv"}).code, 2);
 }
 
+TEST(Fill, ListsFreeEdgesThatCloseNoContourToo) {
+  const Folder folder;
+  folder.put_plates();
+  ASSERT_EQ(folder.run({"cut", "part.unv", "--box", "-1,-1,-1,2,2,0", "--drop", "inside", "-o", "rib.unv"}).code, 0);
+  ASSERT_EQ(folder.run({"merge", "base.unv", "rib.unv", "-o", "merged.unv"}).code, 0);
+  const Outcome outcome = folder.run({"fill", "merged.unv", "--list"});
+  EXPECT_NE(outcome.out.find("no contour"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("no free edges"), std::string::npos) << outcome.out;
+}
+
 TEST(Fill, WritesTheFilledMeshAndSummarises) {
   const Folder folder;
   put_holed(folder);
