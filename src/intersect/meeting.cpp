@@ -96,12 +96,12 @@ void Meeting::join_groups(VertexId v, std::size_t s, const Carrier& on) {
   if (on.kind == Carrier::kVertex) faces = side[s].faces_at(itself);
   if (on.kind == Carrier::kEdge) corners = side[s].ends(on.id), faces = side[s].faces_at_edge(on.id);
   if (on.kind == Carrier::kFace) corners = side[s].corners(on.id);
-  for (const LocalFace f : faces) {
-    const std::uint32_t component = complex.component[side[s].face(f).value];
-    GroupSetId common = complex.groups_on(component, corners.front());
-    for (const VertexId w : corners.subspan(1)) common = groups.intersect(common, complex.groups_on(component, w));
-    complex.join_groups(v, component, common, groups);
-  }
+  for (const LocalFace f : faces)
+    for (const std::uint32_t component : complex.components_of(side[s].face(f))) {
+      GroupSetId common = complex.groups_on(component, corners.front());
+      for (const VertexId w : corners.subspan(1)) common = groups.intersect(common, complex.groups_on(component, w));
+      complex.join_groups(v, component, common, groups);
+    }
 }
 
 VertexId Meeting::new_vertex(Vec3 p, const std::array<Carrier, 2>& on) {

@@ -304,6 +304,38 @@ TEST(FusedContact, NodesOnTheFoldOfAProfileStayInTheNodeGroupsOfBothLegs) {
   for (std::size_t i = 1; i < on_fold.size(); ++i) EXPECT_GE(on_fold[i] - on_fold[i - 1], 0.5 * kSize);
 }
 
+TEST(FusedContact, NodeGroupsOfThreeMeshesCoverTheirFacesStill) {
+  const auto doubler = [](Vec3 origin, const std::string& name) {
+    const Model plain = scenes::plate(origin, {0.6, 0.1, 0}, {-0.1, 0.6, 0}, 0.09, name, 0.15);
+    ModelBuilder builder = scenes::faces_of(plain);
+    for (std::size_t e = 0; e < plain.n_elements(); ++e) builder.add_to_group(name, ElementId(e));
+    for (std::size_t n = 0; n < plain.n_nodes(); ++n) builder.add_to_group(name + "_NODES", NodeId(n));
+    return builder.build();
+  };
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "PLATE", 0.15);
+  const std::vector<Model> parts{doubler({0.5, 0.5, 0}, "A"), doubler({0.83, 0.77, 0}, "B")};
+  const auto merged = merge(plate, parts);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  const Model result = apply(plate, parts, *merged);
+  const auto names = [&](GroupSetId set) {
+    std::set<std::string> all;
+    for (const GroupId g : result.group_sets.members(set)) all.insert(result.groups[g.value].name);
+    return all;
+  };
+  std::size_t n_asked = 0;
+  for (std::size_t e = 0; e < result.n_elements(); ++e) {
+    const std::set<std::string> of_face = names(result.element_groups[e]);
+    for (const NodeId n : result.nodes_of(ElementId(e)))
+      for (const char* name : {"A", "B"}) {
+        if (!of_face.contains(name)) continue;
+        EXPECT_TRUE(names(result.node_groups[n.value]).contains(std::string(name) + "_NODES")) << name;
+        ++n_asked;
+      }
+  }
+  EXPECT_GT(n_asked, 300u);
+}
+
 /// Two plates with walls around a common hole, which one divides into 6 and the other into 10. Facets of a round wall
 /// are turned from row to row, so that they lean over those of the other wall.
 TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
