@@ -100,8 +100,7 @@ PaperBandwidth paper_bandwidth(const Corefined& corefined, std::uint32_t first, 
 Zone paper_zone(const Corefined& corefined) {
   const InputFaces inputs(corefined);
   Zone zone;
-  for (const std::uint32_t c : corefined.complex.component)
-    if (c >= zone.bandwidth.size()) zone.bandwidth.resize(c + 1, 0);
+  zone.bandwidth.assign(n_components(corefined), 0);
   for (const auto& [a, b] : corefined.met) {
     const PaperBandwidth n = paper_bandwidth(corefined, a, b);
     zone.bandwidth[a] = std::max(zone.bandwidth[a], n.n1), zone.bandwidth[b] = std::max(zone.bandwidth[b], n.n2);

@@ -16,14 +16,6 @@ constexpr double kReach = 5.5;      // edge lengths from the junction beyond whi
 constexpr double kRow = 0.866;      // width of a neighbourhood over the edge length: height of an equilateral triangle
 constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
 
-/// Those of which no face is left count too: all of theirs lay on others.
-std::size_t n_components(const Corefined& corefined) {
-  std::size_t n = 0;
-  for (const std::uint32_t c : corefined.complex.component) n = std::max(n, std::size_t{c} + 1);
-  for (const auto& [a, b] : corefined.met) n = std::max(n, std::size_t{std::max(a, b)} + 1);
-  return n;
-}
-
 /// N of paper 5.4, by component.
 std::vector<int> automatic(const Corefined& corefined, const InputFaces& inputs) {
   const std::size_t n = n_components(corefined);
@@ -130,6 +122,13 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
 }
 
 }  // namespace
+
+std::size_t n_components(const Corefined& corefined) {
+  std::size_t n = 0;
+  for (const std::uint32_t c : corefined.complex.component) n = std::max(n, std::size_t{c} + 1);
+  for (const auto& [a, b] : corefined.met) n = std::max(n, std::size_t{std::max(a, b)} + 1);
+  return n;
+}
 
 Zone neighbourhoods(const Corefined& corefined, const InputFaces& inputs, const SizeField& size,
                     std::optional<int> bandwidth, int more) {

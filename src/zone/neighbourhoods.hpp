@@ -12,6 +12,9 @@
 
 namespace meshgraft {
 
+/// Number of components; those of which no face is left, because all of theirs lay on others, count too.
+[[nodiscard]] std::size_t n_components(const Corefined& corefined);
+
 struct Zone {
   std::vector<std::uint8_t> in_zone;  // by face of the corefined complex
   std::vector<int> bandwidth;         // by component: neighbourhoods taken (0: not touched)
