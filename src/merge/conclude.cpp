@@ -117,7 +117,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
   report.overlaps = overlap_entries(inputs, components, corefined, zone.remeshed.complex, all_layers);
   Dropped overlaid = dropped;
-  add_losses(corefined, final_complex, all_layers, translated, graft, overlaid);
+  add_losses(inputs, corefined, final_complex, all_layers, translated, graft, overlaid);
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   if (!all_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
   Ledger ledger = ledger_of(inputs, sums, graft, overlaid);

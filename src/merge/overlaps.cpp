@@ -34,15 +34,19 @@ LaidOut with_layers(const Complex& complex, Inputs inputs, SetTranslation& trans
   return out;
 }
 
-void add_losses(const Corefined& corefined, const Complex& final_complex, bool all_layers, SetTranslation& translated,
-                Graft& graft, Dropped& dropped) {
+void add_losses(Inputs inputs, const Corefined& corefined, const Complex& final_complex, bool all_layers,
+                SetTranslation& translated, Graft& graft, Dropped& dropped) {
   const auto lose = [&](GroupSetId groups, double area) {
     dropped.area.resize(graft.groups.size()), dropped.touched.resize(graft.groups.size());
     for (const GroupId g : graft.group_sets.members(groups))
       dropped.area[g.value] += area, dropped.touched[g.value] = 1;
   };
-  for (const Corefined::Covered& covered : corefined.covered)
-    if (!covered.has_heir) lose(translated.of(covered.face), covered.area);
+  for (const Corefined::Covered& covered : corefined.covered) {
+    if (covered.has_heir) continue;
+    lose(translated.of(covered.face), covered.area);
+    for (const NodeId n : inputs[covered.face.input]->nodes_of(covered.face.element))
+      lose(translated.of(NodeRef{covered.face.input, n}), 0);
+  }
   if (all_layers) return;
   for (std::size_t f = 0; f < final_complex.n_faces(); ++f) {
     GroupSetId so_far = translated.of(final_complex.parent[f]);

@@ -24,9 +24,10 @@ struct LaidOut {
 [[nodiscard]] LaidOut with_layers(const Complex& complex, Inputs inputs, SetTranslation& translated);
 
 /// Adds the area that groups lose although nothing is lost: of faces that went because others lie there, and of
-/// groups that several faces were in and that count the one that stands for them once.
-void add_losses(const Corefined& corefined, const Complex& final_complex, bool all_layers, SetTranslation& translated,
-                Graft& graft, Dropped& dropped);
+/// groups that several faces were in and that count the one that stands for them once. Groups of the nodes of faces
+/// that went are marked as touched.
+void add_losses(Inputs inputs, const Corefined& corefined, const Complex& final_complex, bool all_layers,
+                SetTranslation& translated, Graft& graft, Dropped& dropped);
 
 /// For the report; `final_complex` before it is laid out in layers.
 [[nodiscard]] std::vector<OverlapEntry> overlap_entries(Inputs inputs, const Components& components,

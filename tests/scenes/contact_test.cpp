@@ -224,6 +224,40 @@ TEST(KeptContact, ToDeleteAWholePartIsRefused) {
   EXPECT_NE(merged.error().what.find("all 119 faces"), std::string::npos) << merged.error().what;
 }
 
+/// A profile with a flat leg on a plate; each has a group of nodes and one of faces that lie wholly on the other.
+TEST(KeptContact, GroupsThatLieWhollyOnWhatIsDroppedAreEmptiedWithAWarning) {
+  const auto with_groups = [](const Model& model, const std::string& side, double low, double high) {
+    ModelBuilder b = scenes::faces_of(model);
+    const auto is_in = [&](Vec3 p) { return p.z == 0 && low < p.x && p.x < high && 0.4 < p.y && p.y < 1.6; };
+    for (std::size_t n = 0; n < model.n_nodes(); ++n)
+      if (is_in(model.position[n])) b.add_to_group(side + "_NODES", NodeId(n));
+    for (std::size_t e = 0; e < model.n_elements(); ++e)
+      if (std::ranges::all_of(model.corners(ElementId(e)), is_in)) b.add_to_group(side + "_FACES", ElementId(e));
+    return b.build();
+  };
+  const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "PLATE", 0.15);
+  const std::array legs{scenes::plate({0.57, 0.33, 0}, {0.4, 0, 0}, {0, 1.3, 0}, 0.1, "PROFILE"),
+                        scenes::plate({0.97, 0.33, 0}, {0, 0, 0.4}, {0, 1.3, 0}, 0.1, "PROFILE")};
+  const Model base = with_groups(plate, "UNDER", 0.6, 0.95);
+  const Model part = with_groups(scenes::welded(scenes::together(legs)), "OVER", 0.5, 0.95);
+  for (const auto& [overlap, emptied] :
+       {std::pair{Overlap::kKeepBase, "OVER"}, std::pair{Overlap::kKeepPart, "UNDER"}}) {
+    MergeOptions options;
+    options.overlap = overlap;
+    const auto merged = merge(base, std::span(&part, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    EXPECT_EQ(std::ranges::count(merged->report.warnings, "emptied-group", &Warning::name), 2);
+    for (const GroupEntry& group : merged->report.groups) {
+      EXPECT_EQ(group.members_after == 0, group.name.starts_with(emptied)) << group.name;
+      if (group.members_after == 0) {
+        EXPECT_EQ(group.rule, "reduced by what was dropped") << group.name;
+      }
+    }
+    scenes::expect_sound(apply(base, std::span(&part, 1), *merged));
+  }
+}
+
 TEST(Stacks, AProfileWithBothLegsOverTheEdgeOfAPlateIsRefusedWithTheirDistance) {
   const Model plate = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1, "PLATE", 0.15);
   constexpr double kOff = 0.02;
