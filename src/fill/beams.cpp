@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <set>
+#include <utility>
 
 #include "core/union_find.hpp"
 #include "geometry/plane.hpp"
@@ -35,53 +35,131 @@ class Follower {
         normals_(normals),
         plane_(area_of(complex, hole)) {
     double n = 0;
-    for (const Rim& rim : hole) {
-      for (const VertexId v : rim.vertices) box_.add(at(v));
-      n += static_cast<double>(rim.vertices.size());
-    }
-    side_ = length_of(complex, hole) / n;
+    for (const Rim& rim : hole) n += static_cast<double>(rim.vertices.size());
+    longest_ = kLongest * length_of(complex, hole) / n;
   }
 
-  FollowedBeams run() {
-    for (const Complex::Line& line : complex_.lines)
-      if (lies_in_hole(line.ends))
-        beams_.insert({std::min(line.ends[0], line.ends[1]), std::max(line.ends[0], line.ends[1])});
-    const std::optional<std::vector<Region>> cut = drop_loose_beams() ? regions() : std::nullopt;
-    if (cut) {
-      FollowedBeams followed{*cut, {}, inner_};
-      for (const auto& [a, b] : beams_) followed.beams.insert(nodes_of(complex_, a, b));
-      return followed;
+  FollowedBeams run(const LeftOut& left_out) {
+    const std::set<Beam> all = hanging(open_beams());
+    std::set<Beam> along;
+    std::map<Beam, Obstacle> obstacles;
+    for (const Beam& beam : all) {
+      const std::optional<Obstacle> obstacle = obstacle_of(beam, left_out);
+      if (obstacle != Obstacle::kBeside && obstacle != Obstacle::kTooSteep) along.insert(beam);
+      if (obstacle)
+        obstacles[beam] = *obstacle;
+      else
+        beams_.insert(beam);
     }
-    Region whole;
-    for (const Rim& rim : hole_) whole.push_back(rim.vertices);
-    return {{whole}, {}, {}};
+    const std::set<Beam> free_of_obstacles = std::exchange(beams_, hanging(beams_));
+    for (const Beam& beam : free_of_obstacles)
+      if (!beams_.contains(beam)) obstacles[beam] = Obstacle::kCutOff;
+    const auto cut = beams_.empty() || !tell_regions_apart() ? std::nullopt : regions();
+    if (!cut)
+      for (const Beam& beam : std::exchange(beams_, {})) obstacles[beam] = Obstacle::kNoFaces;
+
+    FollowedBeams followed;
+    followed.regions = cut ? *cut : std::vector<Region>{whole()};
+    for (const auto& [a, b] : beams_) {
+      followed.beams.insert(nodes_of(complex_, a, b));
+      for (const VertexId v : {a, b})
+        if (!is_of_rim(v)) followed.normal[v] = normal(v);
+    }
+    const std::set<Beam> in_hole = hanging(along), across = without_dead_ends(all);
+    for (const Complex::Line& line : complex_.lines)
+      if (const auto it = obstacles.find(beam_of(line));
+          it != obstacles.end() && (in_hole.contains(it->first) || across.contains(it->first)))
+        followed.unfollowed.push_back({line.parent.element, it->second});
+    return followed;
   }
 
  private:
-  using Beam = std::array<VertexId, 2>;
+  using Beam = std::array<VertexId, 2>;  // the smaller first
 
+  [[nodiscard]] static Beam beam_of(const Complex::Line& line) {
+    return {std::min(line.ends[0], line.ends[1]), std::max(line.ends[0], line.ends[1])};
+  }
   [[nodiscard]] Vec3 at(VertexId v) const { return complex_.position[v.value]; }
   [[nodiscard]] bool is_of_rim(VertexId v) const { return normals_.contains(v); }
-  [[nodiscard]] Vec3 normal(VertexId v) const { return is_of_rim(v) ? normals_.at(v) : inner_.at(v); }
 
-  bool lies_in_hole(const Beam& ends) {
-    const auto [a, b] = ends;
-    if (a == b || edges_.find(a, b).valid() || !is_open(a) || !is_open(b)) return false;
-    if (is_of_rim(a) && is_of_rim(b) && !is_inside(plane_(midpoint(at(a), at(b))))) return false;
-    if (distance(at(a), at(b)) > kLongest * side_) return false;
-    const Vec3 way = normalized(at(b) - at(a));
-    return std::abs(dot(way, normal(a))) <= kSteepest && std::abs(dot(way, normal(b))) <= kSteepest;
+  [[nodiscard]] Vec3 normal(VertexId v) {
+    if (is_of_rim(v)) return normals_.at(v);
+    const auto [it, is_new] = inner_.try_emplace(v);
+    if (is_new) {
+      Vec3 sum;
+      for (const auto& [u, n] : normals_) sum += n / squared_norm(at(v) - at(u));
+      it->second = normalized(sum);
+    }
+    return it->second;
   }
 
-  /// Of the rim, or inside of it without a face.
-  bool is_open(VertexId v) {
-    if (is_of_rim(v)) return true;
-    if (!faces_at_[v].empty() || !box_.overlaps({at(v), at(v)}) || !is_inside(plane_(at(v)))) return false;
-    if (inner_.contains(v)) return true;
-    Vec3 sum;
-    for (const auto& [u, n] : normals_) sum += n / squared_norm(at(v) - at(u));
-    inner_[v] = normalized(sum);
-    return true;
+  [[nodiscard]] Region whole() const {
+    Region rims;
+    for (const Rim& rim : hole_) rims.push_back(rim.vertices);
+    return rims;
+  }
+
+  /// Beams between nodes that are of a rim or of no face, but not along faces.
+  [[nodiscard]] std::set<Beam> open_beams() const {
+    const auto is_open = [&](VertexId v) { return is_of_rim(v) || faces_at_[v].empty(); };
+    std::set<Beam> beams;
+    for (const Complex::Line& line : complex_.lines)
+      if (line.ends[0] != line.ends[1] && std::ranges::all_of(line.ends, is_open) &&
+          !edges_.find(line.ends[0], line.ends[1]).valid())
+        beams.insert(beam_of(line));
+    return beams;
+  }
+
+  /// Those that hang together with a rim.
+  [[nodiscard]] std::set<Beam> hanging(std::set<Beam> beams) const {
+    std::map<VertexId, std::uint32_t> number;
+    for (const auto& [v, n] : normals_) number[v] = 0;
+    std::uint32_t n = 1;
+    for (const Beam& beam : beams)
+      for (const VertexId v : beam)
+        if (number.try_emplace(v, n).second) ++n;
+    UnionFind together(n);
+    for (const auto& [a, b] : beams) together.unite(number.at(a), number.at(b));
+    std::erase_if(beams, [&](const Beam& beam) { return together.find(number.at(beam[0])) != 0; });
+    return beams;
+  }
+
+  /// Those on a way from a rim to a rim.
+  [[nodiscard]] std::set<Beam> without_dead_ends(std::set<Beam> beams) const {
+    std::map<VertexId, std::set<Beam>> beams_at;
+    for (const Beam& beam : beams)
+      if (beam[0] != beam[1])
+        for (const VertexId v : beam) beams_at[v].insert(beam);
+    std::vector<VertexId> ends;
+    const auto add_end = [&](VertexId v) {
+      if (!is_of_rim(v) && beams_at.at(v).size() == 1) ends.push_back(v);
+    };
+    for (const auto& [v, there] : beams_at) add_end(v);
+    while (!ends.empty()) {
+      const VertexId end = ends.back();
+      ends.pop_back();
+      if (beams_at.at(end).empty()) continue;
+      const Beam beam = *beams_at.at(end).begin();
+      beams.erase(beam);
+      for (const VertexId v : beam) beams_at.at(v).erase(beam), add_end(v);
+    }
+    return beams;
+  }
+
+  [[nodiscard]] std::optional<Obstacle> obstacle_of(const Beam& beam, const LeftOut& left_out) {
+    const auto [a, b] = beam;
+    const auto is_over_hole = [&](VertexId v) { return is_of_rim(v) || is_inside(plane_(at(v))); };
+    if (is_of_rim(a) && is_of_rim(b)) {
+      if (!is_inside(plane_(midpoint(at(a), at(b))))) return Obstacle::kBeside;
+    } else if (!is_over_hole(a) || !is_over_hole(b)) {
+      return Obstacle::kBeside;
+    }
+    const Vec3 way = normalized(at(b) - at(a));
+    if (std::abs(dot(way, normal(a))) > kSteepest || std::abs(dot(way, normal(b))) > kSteepest)
+      return Obstacle::kTooSteep;
+    if (distance(at(a), at(b)) > longest_) return Obstacle::kTooLong;
+    const auto it = left_out.find(nodes_of(complex_, a, b));
+    return it == left_out.end() ? std::nullopt : std::optional(it->second);
   }
 
   /// By the sides that a ray to the right crosses.
@@ -95,9 +173,8 @@ class Follower {
     return inside;
   }
 
-  /// Beams that hang together with no rim go. Whether the rest tells what is one region: where beams close a circle,
-  /// all must hang together.
-  bool drop_loose_beams() {
+  /// Whether the beams tell what is one region: where they close a circle, all must hang together.
+  bool tell_regions_apart() {
     std::map<VertexId, std::uint32_t> number;  // the rims come first
     for (std::uint32_t k = 0; k < hole_.size(); ++k)
       for (const VertexId v : hole_[k].vertices) number[v] = k;
@@ -108,17 +185,12 @@ class Follower {
     UnionFind together(n);
     for (std::uint32_t k = 0; k < hole_.size(); ++k)  // rims may share a vertex
       for (const VertexId v : hole_[k].vertices) together.unite(k, number.at(v));
-    for (const Beam& beam : beams_) together.unite(number.at(beam[0]), number.at(beam[1]));
-    const auto is_loose = [&](std::uint32_t k) { return together.find(k) >= hole_.size(); };
-    std::erase_if(beams_, [&](const Beam& beam) { return is_loose(number.at(beam[0])); });
-    std::size_t pieces = 0, nodes = 0;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (is_loose(k)) continue;
-      ++nodes;
+    for (const auto& [a, b] : beams_) together.unite(number.at(a), number.at(b));
+    std::size_t pieces = 0;
+    for (std::uint32_t k = 0; k < n; ++k)
       if (together.find(k) == k) ++pieces;
-    }
     is_one_piece_ = pieces == 1;
-    return !beams_.empty() && (is_one_piece_ || beams_.size() == nodes - pieces);
+    return is_one_piece_ || beams_.size() == n - pieces;
   }
 
   /// The ways around what is open, with beams on the left as well as sides of rims.
@@ -146,7 +218,7 @@ class Follower {
   }
 
   /// The first step clockwise from that on which one came; back only from a dead end.
-  [[nodiscard]] std::size_t next(std::size_t k) const {
+  [[nodiscard]] std::size_t next(std::size_t k) {
     const VertexId v = steps_[k].to;
     const Vec3 back = at(steps_[k].from) - at(v), n = normal(v);
     const auto clockwise = [&](std::size_t j) {
@@ -167,9 +239,8 @@ class Follower {
   const Hole& hole_;
   const std::map<VertexId, Vec3>& normals_;
   Plane plane_;
-  Box box_;
-  double side_ = 0;  // of the rims, mean length
-  std::set<Beam> beams_;
+  double longest_ = 0;              // a length
+  std::set<Beam> beams_;            // that are followed
   std::map<VertexId, Vec3> inner_;  // normals
   bool is_one_piece_ = true;        // the rims and the beams
   std::vector<Step> steps_;
@@ -179,8 +250,8 @@ class Follower {
 }  // namespace
 
 FollowedBeams follow_beams(const Complex& complex, const VertexFaces& faces_at, const EdgeTable& edges,
-                           const Hole& hole, const std::map<VertexId, Vec3>& normals) {
-  return Follower(complex, faces_at, edges, hole, normals).run();
+                           const Hole& hole, const std::map<VertexId, Vec3>& normals, const LeftOut& left_out) {
+  return Follower(complex, faces_at, edges, hole, normals).run(left_out);
 }
 
 }  // namespace meshgraft

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "fill/patched.hpp"
@@ -16,16 +17,24 @@ struct FollowedBeams {
   std::vector<Region> regions;
   std::set<NodePair> beams;
   std::map<VertexId, Vec3> normal;  // unit, of the surface to be, at nodes of beams that are not of the rims
+  std::vector<UnfollowedBeam> unfollowed;
 };
 
-/// Cuts a hole along the 1D elements in it. A beam counts if its nodes are of a rim or of no face, if it lies within
-/// the hole (seen along its area vector) and within 20 degrees of the surface, is no longer
-/// than two sides of the rims, and hangs together with a rim through
-/// others like it. One that leads nowhere is followed there and back. Without such beams, and where they do not tell
-/// what is one piece (a ring of beams around an island of its own), the rims are the only region.
+/// Cuts a hole along the 1D elements in it.
 ///
-///   normals   unit, by vertex of the rims
+///  (1) A beam may be followed if its nodes are of a rim or of no face, and it hangs together with a rim through others
+///      like it. It is, unless there is an Obstacle: it passes over faces around the hole (seen along its area vector),
+///      makes more than 20 degrees with the surface at an end, or is longer than two sides of the rims. One that leads
+///      nowhere is followed there and back.
+///  (2) Where beams do not tell what is one piece (a ring of them around an island of its own), the rims are the only
+///      region, as without beams.
+///  (3) Of those with an obstacle, `unfollowed` names each that lies along the surface, and each on a way from a rim
+///      to a rim, however it runs; not what only stands on the rim and leads elsewhere.
+///
+///   normals    unit, by vertex of the rims
+///   left_out   not to be followed, and why
 [[nodiscard]] FollowedBeams follow_beams(const Complex& complex, const VertexFaces& faces_at, const EdgeTable& edges,
-                                         const Hole& hole, const std::map<VertexId, Vec3>& normals);
+                                         const Hole& hole, const std::map<VertexId, Vec3>& normals,
+                                         const LeftOut& left_out);
 
 }  // namespace meshgraft

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "core/components.hpp"
 #include "fill/flaws.hpp"
@@ -187,6 +188,22 @@ Dropped account(const Complex& around, std::span<const Hole> holes, const Comple
   return d;
 }
 
+/// Beams that no edge of the new faces runs along, each once, ascending.
+std::vector<UnfollowedBeam> without_edge(std::vector<UnfollowedBeam> beams, const Model& base, const Complex& filled,
+                                         std::size_t first) {
+  std::set<NodePair> edges;
+  for (std::size_t f = first; f < filled.n_faces(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(nodes_of(filled, filled.face[f][k], filled.face[f][(k + 1) % 3]));
+  std::erase_if(beams, [&](const UnfollowedBeam& beam) {
+    const auto ends = base.nodes_of(beam.element);
+    return edges.contains({NodeRef{0, std::min(ends[0], ends[1])}, NodeRef{0, std::max(ends[0], ends[1])}});
+  });
+  std::ranges::sort(beams, {}, &UnfollowedBeam::element);
+  const auto again = std::ranges::unique(beams, {}, &UnfollowedBeam::element);
+  beams.erase(again.begin(), again.end());
+  return beams;
+}
+
 std::vector<PolylineSummary> summaries(std::span<const Contour> all, const Openings& openings) {
   std::vector<PolylineSummary> lines;
   for (const OpeningContours& opening : openings)
@@ -225,7 +242,7 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   const std::vector<Hole> holes = holes_of(around, all, *openings);
 
   watch.start("fill", 0.2);  // paper 5.5
-  auto coarse = patched(around, holes, graft.group_sets);
+  auto coarse = patched(around, holes, {}, graft.group_sets);
   if (!coarse) {
     const OpeningContours& opening = (*openings)[coarse.error().hole];
     const Contour& first = all[opening.front()];
@@ -254,7 +271,9 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
   operation.fills = true;
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
-  FillingFlaws flaws = flaws_of(base, zone.remeshed.complex, around.n_faces(), options.zone.tolerance);
+  const auto unfollowed = without_edge(std::move(coarse->unfollowed), base, zone.remeshed.complex, around.n_faces());
+  append(report.warnings, warnings_about(unfollowed, base));
+  FillingFlaws flaws = flaws_of(base, zone.remeshed.complex, around.n_faces(), unfollowed, options.zone.tolerance);
   append(report.broken_promises, std::move(flaws.broken));
   append(report.warnings, std::move(flaws.warnings));
   report.junction = summaries(all, *openings);

@@ -53,8 +53,9 @@ struct Findings {
 
 class Flaws {
  public:
-  Flaws(const Model& base, const Complex& complex, std::size_t first, const Tolerance& tolerance)
-      : base_(base), complex_(complex), first_(first), tolerance_(tolerance) {}
+  Flaws(const Model& base, const Complex& complex, std::size_t first, std::span<const UnfollowedBeam> unfollowed,
+        const Tolerance& tolerance)
+      : base_(base), complex_(complex), first_(first), unfollowed_(unfollowed), tolerance_(tolerance) {}
 
   FillingFlaws run() {
     find_folds();
@@ -130,6 +131,7 @@ class Flaws {
 
   void compare_beam(ElementId e, const std::array<NodeId, 2>& ends, const BoxTree& tree) {
     if (!ends[0].valid() || !ends[1].valid()) return;
+    if (std::ranges::binary_search(unfollowed_, e, {}, &UnfollowedBeam::element)) return;
     const Vec3 a = base_.position[ends[0].value], b = base_.position[ends[1].value];
     if (a == b) return;
     Box box{a, a};
@@ -154,6 +156,7 @@ class Flaws {
   const Model& base_;
   const Complex& complex_;
   std::size_t first_;
+  std::span<const UnfollowedBeam> unfollowed_;
   const Tolerance& tolerance_;
   Findings folds_{"is folded back on itself at", "fill it in smaller parts, or with another --blend", {}, {}};
   Findings beams_{"has 1D elements on it:", {}, {}, {}};
@@ -165,8 +168,9 @@ class Flaws {
 
 }  // namespace
 
-FillingFlaws flaws_of(const Model& base, const Complex& complex, std::size_t first, const Tolerance& tolerance) {
-  return Flaws(base, complex, first, tolerance).run();
+FillingFlaws flaws_of(const Model& base, const Complex& complex, std::size_t first,
+                      std::span<const UnfollowedBeam> unfollowed, const Tolerance& tolerance) {
+  return Flaws(base, complex, first, unfollowed, tolerance).run();
 }
 
 }  // namespace meshgraft

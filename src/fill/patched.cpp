@@ -84,17 +84,21 @@ tl::expected<OpeningFill, std::string> closed(const Complex& c, const EdgeTable&
   return along;
 }
 
-/// Along the beams in the hole, which are added to those `followed`; or without them if that cannot be.
+/// The same along the beams in the hole that are not left out, if it can be closed so; what is followed and what is not
+/// is added to `p`.
 tl::expected<OpeningFill, std::string> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
-                                              const Hole& hole, std::set<NodePair>& followed) {
+                                              const Hole& hole, LeftOut left_out, Patched& p) {
   const RimNormals normals(c, faces_at, hole);
-  const FollowedBeams beams = follow_beams(c, faces_at, edges, hole, normals.at);
-  const auto along = closed(c, edges, hole, normals, beams);
-  Region rims;
-  for (const Rim& rim : hole) rims.push_back(rim.vertices);
-  if (along) followed.insert(beams.beams.begin(), beams.beams.end());
-  if (along || beams.beams.empty()) return along;
-  return closed(c, edges, hole, normals, {{rims}, {}, {}});
+  FollowedBeams beams = follow_beams(c, faces_at, edges, hole, normals.at, left_out);
+  auto fill = closed(c, edges, hole, normals, beams);
+  if (!fill && !beams.beams.empty()) {
+    for (const NodePair& beam : beams.beams) left_out[beam] = Obstacle::kNoFaces;
+    beams = follow_beams(c, faces_at, edges, hole, normals.at, left_out);
+    fill = closed(c, edges, hole, normals, beams);
+  }
+  p.beams.insert(beams.beams.begin(), beams.beams.end());
+  p.unfollowed.insert(p.unfollowed.end(), beams.unfollowed.begin(), beams.unfollowed.end());
+  return fill;
 }
 
 /// The face of a hole's rims whose attributes hold along the greatest part of them.
@@ -153,13 +157,14 @@ std::vector<std::uint32_t> patches_of(const Complex& complex, std::size_t first,
   return patch;
 }
 
-tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes, GroupSets& groups) {
+tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes, const LeftOut& left_out,
+                                         GroupSets& groups) {
   const VertexFaces faces_at(around);
   const EdgeTable edges(around);
   Patched p;
   p.complex = around, p.n_around = around.n_faces();
   for (std::size_t h = 0; h < holes.size(); ++h) {
-    const auto fill = closed(around, faces_at, edges, holes[h], p.beams);
+    const auto fill = closed(around, faces_at, edges, holes[h], left_out, p);
     if (!fill) return tl::unexpected(NotClosed{h, fill.error()});
     const FaceId like = typical_face(around, holes[h]);
     GroupSetId common = around.face_groups[like.value];

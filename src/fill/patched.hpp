@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "core/complex.hpp"
+#include "fill/unfollowed.hpp"
 #include "meshgraft/fill.hpp"
 #include "remesh/remesh.hpp"
 
@@ -31,6 +33,9 @@ using Hole = std::vector<Rim>;
 using NodePair = std::array<NodeRef, 2>;
 [[nodiscard]] NodePair nodes_of(const Complex& c, VertexId a, VertexId b);
 
+/// 1D elements that are not to be followed, and why.
+using LeftOut = std::map<NodePair, Obstacle>;
+
 /// Faces are those around, then the patches.
 struct Patched {
   Complex complex;
@@ -38,6 +43,7 @@ struct Patched {
   std::vector<std::uint32_t> patch;   // by face after those: which it is of
   std::vector<std::uint8_t> in_zone;  // by face: it is of a patch
   std::set<NodePair> beams;           // edges of patches that follow 1D elements
+  std::vector<UnfollowedBeam> unfollowed;
 };
 
 /// A hole that cannot be closed along the surface, and why.
@@ -50,11 +56,11 @@ struct NotClosed {
 [[nodiscard]] std::vector<std::uint32_t> patches_of(const Complex& complex, std::size_t first,
                                                     const std::set<NodePair>& beams);
 
-/// Closes the holes with as few faces as possible, along the 1D elements in them (see follow_beams). Each hole takes
-/// its attributes from the face that stands for the greatest part of its rims, and the groups that all faces of these
-/// share.
+/// Closes the holes with as few faces as possible, along the 1D elements in them (see follow_beams); a hole that cannot
+/// be closed along them, without them. Each hole takes its attributes from the face that stands for the greatest part
+/// of its rims, and the groups that all faces of these share.
 [[nodiscard]] tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes,
-                                                       GroupSets& groups);
+                                                       const LeftOut& left_out, GroupSets& groups);
 
 /// Edge lengths of a patch: those of the faces around its rims, the near ones counting most; or `size`.
 [[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size);

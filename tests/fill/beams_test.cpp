@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
+#include <ostream>
 
 #include "fill/fill_laws.hpp"
 #include "support/scenes.hpp"
@@ -72,7 +74,8 @@ TEST(Fill, BeamsInAHoleAreFollowed) {
     EXPECT_EQ(broken(m.report), std::vector<std::string>{});
     EXPECT_EQ(broken_laws(base, m), "");
     EXPECT_GE(m.report.quality.min, 0.5);
-    EXPECT_EQ(std::ranges::count(m.report.warnings, "beam-on-filling", &Warning::name), 0);
+    for (const char* name : {"beam-on-filling", "beam-not-followed"})
+      EXPECT_EQ(std::ranges::count(m.report.warnings, name, &Warning::name), 0);
     const Model result = apply(base, {}, m);
     EXPECT_EQ(contours_of(result).size(), 1u);
     for (std::size_t k = 0; k + 1 < b.beams.size(); ++k)
@@ -82,15 +85,104 @@ TEST(Fill, BeamsInAHoleAreFollowed) {
   }
 }
 
+/// Across the hole in steps of 0.05, inner nodes as high as `height` says.
+std::vector<NodeId> across(Beamed& b, const std::function<double(double x)>& height) {
+  std::vector<NodeId> nodes{b.nearest(0.25, 0.5)};
+  for (int k = 1; k < 10; ++k) nodes.push_back(b.builder.add_node({0.25 + 0.05 * k, 0.5, height(0.25 + 0.05 * k)}));
+  nodes.push_back(b.nearest(0.75, 0.5));
+  return nodes;
+}
+
+std::function<double(double)> arch(double rise) {
+  return [=](double x) { return rise * std::sin(2 * std::numbers::pi * (x - 0.25)); };
+}
+
+/// How many beams the filling follows, and what the warning that others are not says, by its beginning.
+struct Fate {
+  std::size_t followed = 0;
+  std::string told;
+  friend bool operator==(const Fate&, const Fate&) = default;
+};
+std::ostream& operator<<(std::ostream& out, const Fate& f) { return out << f.followed << " followed; " << f.told; }
+
+Fate fate_of(const Model& base, const std::vector<std::array<NodeId, 2>>& beams, const FillOptions& options = {}) {
+  const Merged m = made(base, options);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  EXPECT_EQ(broken_laws(base, m), "");
+  const Model result = apply(base, {}, m);
+  Fate fate;
+  for (const auto& [a, b] : beams)
+    if (is_filled_along(base, result, a, b)) ++fate.followed;
+  for (const Warning& w : m.report.warnings) {
+    if (w.name != "beam-not-followed" && w.name != "beam-on-filling") continue;
+    fate.told += w.name + ": " + w.what + "\n";
+  }
+  return fate;
+}
+
+Fate fate_of(Beamed& b, const FillOptions& options = {}) { return fate_of(b.builder.build(), b.beams, options); }
+
+TEST(Fill, BeamsAcrossAFlatHoleAreFollowedHoweverItsNodesAreRounded) {
+  for (const double rounding : {0.0, 1e-15, -1e-12, 1e-9}) {
+    Beamed beam(0);
+    beam.line(across(beam, [&](double) { return rounding; }));
+    EXPECT_EQ(fate_of(beam), (Fate{10, ""})) << rounding;
+
+    Beamed rim(0);
+    rim.line(across(rim, [](double) { return 0; }));
+    Model base = rim.builder.build();
+    base.position[rim.nearest(0.5, 0.25).value].z = rounding;
+    EXPECT_EQ(fate_of(base, rim.beams), (Fate{10, ""})) << rounding;
+  }
+}
+
+TEST(Fill, WhetherBeamsAreFollowedDoesNotDependOnHowTheHoleLies) {
+  const auto turned = [](Vec3 p) { return Vec3{p.x, 0.8 * p.y - 0.6 * p.z, 0.6 * p.y + 0.8 * p.z}; };
+  for (const double rise : {0.02, 0.05, 0.2}) {
+    Beamed b(0);
+    b.line(across(b, arch(rise)));
+    const Model base = b.builder.build();
+    const Fate flat = fate_of(base, b.beams);
+    EXPECT_EQ(flat.followed, rise < 0.1 ? 10u : 0u) << flat;
+    EXPECT_EQ(fate_of(scenes::moved(base, turned), b.beams).followed, flat.followed);
+  }
+}
+
+TEST(Fill, BeamsThatBeginAndEndAtTheRimAreNamedWhereTheyAreNotFollowed) {
+  struct Case {
+    std::function<void(Beamed&)> add;
+    std::vector<std::string> told;
+  };
+  const std::vector<Case> cases{
+      {[](Beamed& b) { b.line(across(b, arch(0.3))); }, {"more than 20 degrees", "others between them and the rim"}},
+      {[](Beamed& b) {  // an arch of few beams
+         b.line({b.nearest(0.25, 0.5), b.builder.add_node({0.5, 0.5, 0.06}), b.nearest(0.75, 0.5)});
+       },
+       {"longer than two sides"}},
+      {[](Beamed& b) {
+         b.line({b.nearest(0.75, 0.55), b.builder.add_node({0.8, 0.55, 0.01}), b.builder.add_node({0.8, 0.5, 0.01}),
+                 b.nearest(0.75, 0.5)});
+       },
+       {"pass over faces"}},
+      {[](Beamed& b) {  // a mast
+         b.line({b.nearest(0.25, 0.5), b.builder.add_node({0.25, 0.5, 0.1}), b.builder.add_node({0.3, 0.5, 0.2})});
+       },
+       {}}};
+  for (const Case& c : cases) {
+    Beamed b(0);
+    c.add(b);
+    const Fate fate = fate_of(b);
+    EXPECT_EQ(fate.followed, 0u);
+    EXPECT_EQ(std::ranges::count(fate.told, '\n'), std::ptrdiff_t(c.told.size())) << fate;
+    for (const std::string& words : c.told) EXPECT_NE(fate.told.find(words), std::string::npos) << words << fate;
+  }
+}
+
 TEST(Fill, BeamsThatCannotBeFollowedAreNamed) {
   const auto warnings_with = [](const std::function<void(Beamed&)>& add) {
     Beamed b(0);
     add(b);
-    const Model base = b.builder.build();
-    const Merged m = made(base);
-    EXPECT_EQ(broken(m.report), std::vector<std::string>{});
-    EXPECT_EQ(broken_laws(base, m), "");
-    return std::ranges::count(m.report.warnings, "beam-on-filling", &Warning::name);
+    return std::ranges::count(fate_of(b).told, '\n');
   };
   EXPECT_EQ(warnings_with([](Beamed& b) { b.line({b.nearest(0, 0), b.nearest(0.05, 0)}); }), 0);  // along the border
   EXPECT_EQ(warnings_with([](Beamed& b) { b.line({b.nearest(0, 0), b.add(0.51, 0.47)}); }), 1);   // over faces
