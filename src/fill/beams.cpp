@@ -41,6 +41,7 @@ class Follower {
 
   FollowedBeams run(const LeftOut& left_out) {
     const std::set<Beam> all = hanging(open_beams());
+    find_places(all);
     std::set<Beam> along;
     std::map<Beam, Obstacle> obstacles;
     for (const Beam& beam : all) {
@@ -83,7 +84,7 @@ class Follower {
   [[nodiscard]] bool is_of_rim(VertexId v) const { return normals_.contains(v); }
 
   [[nodiscard]] Vec3 normal(VertexId v) {
-    if (is_of_rim(v)) return normals_.at(v);
+    if (const VertexId there = followed_at(v); is_of_rim(there)) return normals_.at(there);
     const auto [it, is_new] = inner_.try_emplace(v);
     if (is_new) {
       Vec3 sum;
@@ -104,8 +105,7 @@ class Follower {
     const auto is_open = [&](VertexId v) { return is_of_rim(v) || faces_at_[v].empty(); };
     std::set<Beam> beams;
     for (const Complex::Line& line : complex_.lines)
-      if (line.ends[0] != line.ends[1] && std::ranges::all_of(line.ends, is_open) &&
-          !edges_.find(line.ends[0], line.ends[1]).valid())
+      if (std::ranges::all_of(line.ends, is_open) && !edges_.find(line.ends[0], line.ends[1]).valid())
         beams.insert(beam_of(line));
     return beams;
   }
@@ -146,10 +146,29 @@ class Follower {
     return beams;
   }
 
+  /// Faces can be made on one node in a place only: one of a rim, else that with the most beams.
+  void find_places(const std::set<Beam>& beams) {
+    std::map<VertexId, int> n_beams;
+    for (const auto& [a, b] : beams)
+      if (at(a) != at(b)) ++n_beams[a], ++n_beams[b];
+    for (const auto& [v, n] : normals_) place_.try_emplace(key_of(v), v);
+    for (const auto& [v, n] : n_beams) {
+      VertexId& there = place_.try_emplace(key_of(v), v).first->second;
+      if (!is_of_rim(there) && n > n_beams.at(there)) there = v;
+    }
+  }
+  [[nodiscard]] std::array<double, 3> key_of(VertexId v) const { return {at(v).x, at(v).y, at(v).z}; }
+  /// The node in the place of v that is followed.
+  [[nodiscard]] VertexId followed_at(VertexId v) const {
+    const auto it = place_.find(key_of(v));
+    return it == place_.end() || is_of_rim(v) ? v : it->second;
+  }
+
   [[nodiscard]] std::optional<Obstacle> obstacle_of(const Beam& beam, const LeftOut& left_out) {
     const auto [a, b] = beam;
-    const auto is_over_hole = [&](VertexId v) { return is_of_rim(v) || is_inside(plane_(at(v))); };
-    if (is_of_rim(a) && is_of_rim(b)) {
+    if (at(a) == at(b)) return Obstacle::kNoLength;
+    const auto is_over_hole = [&](VertexId v) { return is_of_rim(followed_at(v)) || is_inside(plane_(at(v))); };
+    if (is_of_rim(followed_at(a)) && is_of_rim(followed_at(b))) {
       if (!is_inside(plane_(midpoint(at(a), at(b))))) return Obstacle::kBeside;
     } else if (!is_over_hole(a) || !is_over_hole(b)) {
       return Obstacle::kBeside;
@@ -157,6 +176,7 @@ class Follower {
     const Vec3 way = normalized(at(b) - at(a));
     if (std::abs(dot(way, normal(a))) > kSteepest || std::abs(dot(way, normal(b))) > kSteepest)
       return Obstacle::kTooSteep;
+    if (followed_at(a) != a || followed_at(b) != b) return Obstacle::kSamePlace;
     if (distance(at(a), at(b)) > longest_) return Obstacle::kTooLong;
     const auto it = left_out.find(nodes_of(complex_, a, b));
     return it == left_out.end() ? std::nullopt : std::optional(it->second);
@@ -239,7 +259,8 @@ class Follower {
   const Hole& hole_;
   const std::map<VertexId, Vec3>& normals_;
   Plane plane_;
-  double longest_ = 0;              // a length
+  double longest_ = 0;  // a length
+  std::map<std::array<double, 3>, VertexId> place_;
   std::set<Beam> beams_;            // that are followed
   std::map<VertexId, Vec3> inner_;  // normals
   bool is_one_piece_ = true;        // the rims and the beams

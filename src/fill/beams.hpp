@@ -24,8 +24,8 @@ struct FollowedBeams {
 ///
 ///  (1) A beam may be followed if its nodes are of a rim or of no face, and it hangs together with a rim through others
 ///      like it. It is, unless there is an Obstacle: it passes over faces around the hole (seen along its area vector),
-///      makes more than 20 degrees with the surface at an end, or is longer than two sides of the rims. One that leads
-///      nowhere is followed there and back.
+///      makes more than 20 degrees with the surface at an end, is longer than two sides of the rims, has no length, or
+///      leads to a node in whose place another is followed. One that leads nowhere is followed there and back.
 ///  (2) Where beams do not tell what is one piece (a ring of them around an island of its own), the rims are the only
 ///      region, as without beams.
 ///  (3) Of those with an obstacle, `unfollowed` names each that lies along the surface, and each on a way from a rim

@@ -15,6 +15,11 @@ struct Words {
 
 Words words_for(Obstacle why) {
   switch (why) {
+    case Obstacle::kNoLength:
+      return {"they have no length", "make the two nodes one where they shall be one point of the surface"};
+    case Obstacle::kSamePlace:
+      return {"another node lies on one of theirs, and faces can be made on one of both only",
+              "make the two nodes one"};
     case Obstacle::kBeside:
       return {"they pass over faces around it", "mesh them with the surface if they shall be joined to it"};
     case Obstacle::kTooSteep:

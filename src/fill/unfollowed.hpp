@@ -12,7 +12,9 @@ namespace meshgraft {
 
 /// Why a 1D element in a hole is no edge of what fills it.
 enum class Obstacle : std::uint8_t {
-  kBeside,  // it passes over faces around the hole
+  kNoLength,
+  kSamePlace,  // in the place of a node of it another is followed
+  kBeside,     // it passes over faces around the hole
   kTooSteep,
   kTooLong,
   kCutOff,   // only others with an obstacle lead from it to a rim

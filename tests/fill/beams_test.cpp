@@ -178,6 +178,43 @@ TEST(Fill, BeamsThatBeginAndEndAtTheRimAreNamedWhereTheyAreNotFollowed) {
   }
 }
 
+/// A spring or hinge between nodes in one place, with the beams around.
+TEST(Fill, ElementsWithoutLengthAreNamedAndDoNotKeepBeamsFromBeingFollowed) {
+  const auto flat = [](double) { return 0.0; };
+  for (const bool at_once : {false, true}) {
+    Beamed dead_end(0);
+    std::vector<NodeId> nodes{dead_end.nearest(0.25, 0.5)};
+    for (const double x : {0.3, 0.35, 0.4, 0.45}) nodes.push_back(dead_end.add(x, 0.5));
+    const NodeId copy = dead_end.add(0.45, 0.5);
+    if (at_once) dead_end.line({copy, nodes.back()});  // the order of elements changes nothing
+    dead_end.line(nodes);
+    if (!at_once) dead_end.line({nodes.back(), copy});
+    const Fate fate = fate_of(dead_end);
+    EXPECT_EQ(fate.followed, 4u);
+    EXPECT_NE(fate.told.find("have no length"), std::string::npos) << fate;
+    EXPECT_EQ(std::ranges::count(fate.told, '\n'), 1) << fate;
+  }
+  for (const bool is_joined : {false, true}) {
+    Beamed hinge(0);
+    std::vector<NodeId> left = across(hinge, flat), right(left.begin() + 5, left.end());
+    left.resize(6), right[0] = hinge.add(0.5, 0.5);
+    hinge.line(left), hinge.line(right);
+    if (is_joined) hinge.line({left.back(), right.front()});
+    const Fate fate = fate_of(hinge);
+    EXPECT_EQ(fate.followed, 9u);  // faces have one of the two nodes
+    EXPECT_NE(fate.told.find("another node lies on"), std::string::npos) << fate;
+    EXPECT_EQ(fate.told.find("have no length") != std::string::npos, is_joined) << fate;
+  }
+  Beamed rim(0);  // a beam ends on a copy of one of its nodes
+  std::vector<NodeId> nodes = across(rim, flat);
+  const Vec3 end = rim.holed.position[nodes.back().value];
+  nodes.back() = rim.add(end.x, end.y);
+  rim.line(nodes);
+  const Fate fate = fate_of(rim);
+  EXPECT_EQ(fate.followed, 9u);
+  EXPECT_NE(fate.told.find("another node lies on"), std::string::npos) << fate;
+}
+
 TEST(Fill, BeamsThatCannotBeFollowedAreNamed) {
   const auto warnings_with = [](const std::function<void(Beamed&)>& add) {
     Beamed b(0);
