@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/components.hpp"
+#include "core/union_find.hpp"
 #include "fill/flaws.hpp"
 #include "fill/shape.hpp"
 #include "geometry/quality.hpp"
@@ -216,35 +217,71 @@ std::vector<PolylineSummary> summaries(std::span<const Contour> all, const Openi
   return lines;
 }
 
-}  // namespace
+/// What is to be done, whatever 1D elements are followed.
+struct Task {
+  const Model& base;
+  const FillOptions& options;
+  std::span<const Contour> contours;
+  const Openings& openings;
+  const std::vector<Warning>& warnings;
+};
 
-Result<Merged> fill(const Model& base, const FillOptions& options) {
+/// A filling, and the 1D elements that may be what is wrong with it.
+struct Attempt {
   Merged merged;
-  Report& report = merged.report;
-  Graft& graft = merged.graft;
-  Stopwatch watch(options.zone.progress);
+  std::set<NodePair> followed;
+  std::set<NodePair> beside_poor;  // those of them that hang together with a node of a poor face
+  std::size_t n_beside = 0;        // such faces
+
+  /// Fewer promises are broken; or none in either, and no face is poor here but those elsewhere that were before.
+  [[nodiscard]] bool is_better_than(const Attempt& other) const {
+    const Report &here = merged.report, &there = other.merged.report;
+    if (!there.broken_promises.empty()) return here.broken_promises.size() < there.broken_promises.size();
+    return here.broken_promises.empty() && here.quality.below + other.n_beside <= there.quality.below;
+  }
+};
+
+void find_beside_poor(const Remeshed& remeshed, Attempt& attempt) {
+  std::map<NodeRef, std::uint32_t> number;
+  for (const NodePair& beam : attempt.followed)
+    for (const NodeRef n : beam) number.try_emplace(n, static_cast<std::uint32_t>(number.size()));
+  UnionFind together(number.size());
+  for (const auto& [a, b] : attempt.followed) together.unite(number.at(a), number.at(b));
+  std::set<std::uint32_t> poor;
+  for (const BadFace& bad : remeshed.bad) {
+    bool is_beside = false;
+    for (const VertexId v : remeshed.complex.face[bad.face.value])
+      if (const auto it = number.find(remeshed.complex.node[v.value]); it != number.end())
+        is_beside = true, poor.insert(together.find(it->second));
+    if (is_beside) ++attempt.n_beside;
+  }
+  for (const NodePair& beam : attempt.followed)
+    if (poor.contains(together.find(number.at(beam[0])))) attempt.beside_poor.insert(beam);
+}
+
+Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& watch) {
+  const auto& [base, options, all, openings, warnings] = task;
+  Attempt made;
+  Report& report = made.merged.report;
+  Graft& graft = made.merged.graft;
 
   watch.start("search", 0);
   const std::vector<const Model*> inputs{&base};
-  if (const auto ok = check_compatible(inputs, options.zone); !ok) return Failure(ok.error());
-  Ground ground(inputs, merged);
-  const FreeEdges free_edges = free_edges_of(base);
-  const std::span<const Contour> all = free_edges.contours;
-  const auto openings = chosen(base, free_edges, options, report.warnings);
-  if (!openings) return Failure(openings.error());
+  Ground ground(inputs, made.merged);
+  append(report.warnings, warnings);
   const Components components = one_for_each_input(1);
   WorkpieceOptions workpiece_options;
-  workpiece_options.least = span_of(base, all, *openings);
-  const std::vector<std::vector<ElementId>> faces{faces_at(base, all, *openings)};
+  workpiece_options.least = span_of(base, all, openings);
+  const std::vector<std::vector<ElementId>> faces{faces_at(base, all, openings)};
   if (const auto ok = check_local_scale(inputs, faces, options.zone); !ok) return Failure(ok.error());
   const Complex around =
       workpiece(inputs, components, faces, ground.table.of_input, graft.group_sets, workpiece_options);
-  const std::vector<Hole> holes = holes_of(around, all, *openings);
+  const std::vector<Hole> holes = holes_of(around, all, openings);
 
   watch.start("fill", 0.2);  // paper 5.5
-  auto coarse = patched(around, holes, {}, graft.group_sets);
+  auto coarse = patched(around, holes, left_out, graft.group_sets);
   if (!coarse) {
-    const OpeningContours& opening = (*openings)[coarse.error().hole];
+    const OpeningContours& opening = openings[coarse.error().hole];
     const Contour& first = all[opening.front()];
     return failure(ErrorCode::kContourNotFilled,
                    numbers_of(opening) + " around " + text_of(first.centre) +
@@ -261,6 +298,8 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
                                "the filling around " + text_of(filling.blended.left_at) +
                                    " does not continue the surface as wanted: faces there would be folded or flat",
                                {base.path, 0}});
+  made.followed = std::move(coarse->beams);
+  find_beside_poor(filling.remeshed, made);
   zone.remeshed = std::move(filling.remeshed);
   zone.bandwidth = {0};
   give_node_groups(around, holes, zone.remeshed.complex, graft.group_sets);
@@ -270,14 +309,43 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
   const Dropped dropped = account(around, holes, zone.remeshed.complex, graft.groups.size(), graft.group_sets);
   Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
   operation.fills = true;
-  if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
+  if (const auto ok = conclude(operation, watch, made.merged); !ok) return Failure(ok.error());
   const auto unfollowed = without_edge(std::move(coarse->unfollowed), base, zone.remeshed.complex, around.n_faces());
   append(report.warnings, warnings_about(unfollowed, base));
   FillingFlaws flaws = flaws_of(base, zone.remeshed.complex, around.n_faces(), unfollowed, options.zone.tolerance);
   append(report.broken_promises, std::move(flaws.broken));
   append(report.warnings, std::move(flaws.warnings));
-  report.junction = summaries(all, *openings);
-  return merged;
+  report.junction = summaries(all, openings);
+  return made;
+}
+
+}  // namespace
+
+Result<Merged> fill(const Model& base, const FillOptions& options) {
+  Stopwatch watch(options.zone.progress);
+  watch.start("search", 0);
+  const std::vector<const Model*> inputs{&base};
+  if (const auto ok = check_compatible(inputs, options.zone); !ok) return Failure(ok.error());
+  const FreeEdges free_edges = free_edges_of(base);
+  std::vector<Warning> warnings;
+  const auto openings = chosen(base, free_edges, options, warnings);
+  if (!openings) return Failure(openings.error());
+
+  const Task task{base, options, free_edges.contours, *openings, warnings};
+  Result<Attempt> best = attempted(task, {}, watch);
+  if (!best) return Failure(best.error());
+  LeftOut left_out;
+  const auto try_without = [&](const std::set<NodePair>& beams) {
+    const std::size_t n_before = left_out.size();
+    for (const NodePair& beam : beams) left_out[beam] = Obstacle::kPoorFaces;
+    if (left_out.size() == n_before) return;
+    Result<Attempt> without = attempted(task, left_out, watch);
+    if (without && without->is_better_than(*best)) best = std::move(without);
+  };
+  try_without(best->beside_poor);
+  if (!best->merged.report.broken_promises.empty()) try_without(best->followed);
+  best->merged.report.timings = watch.timings();
+  return std::move(best->merged);
 }
 
 }  // namespace meshgraft

@@ -17,8 +17,9 @@ enum class Obstacle : std::uint8_t {
   kBeside,     // it passes over faces around the hole
   kTooSteep,
   kTooLong,
-  kCutOff,   // only others with an obstacle lead from it to a rim
-  kNoFaces,  // no faces can be made along it
+  kCutOff,     // only others with an obstacle lead from it to a rim
+  kNoFaces,    // no faces can be made along it
+  kPoorFaces,  // those that can break a promise or are poor
 };
 
 struct UnfollowedBeam {

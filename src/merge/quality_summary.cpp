@@ -43,8 +43,9 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
   return text;
 }
 
-const char* hint_for(const BadFace* bad) {
+const char* hint_for(const BadFace* bad, bool fills) {
   using enum Cause::Kind;
+  if (fills) return "give another --size, a smaller --min-quality, or --allow-poor";
   const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
                                                 bad->cause.kind == kInputDetail);
   if (between_lines)
@@ -91,7 +92,7 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
   }
   if (!avoidable.empty())
     verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
-                              hint_for(causes.find(avoidable.front().face)),
+                              hint_for(causes.find(avoidable.front().face), outcome.fills),
                               outcome.parent_place(avoidable.front().face)});
   if (!unavoidable.empty())
     verdict.warnings.push_back({"poor-face", finding(outcome, unavoidable, causes, min_quality),

@@ -20,14 +20,15 @@ namespace {
 
 constexpr double kMetReach = 0.1;  // of the edge length: as far as new faces may be from the old
 constexpr const char* kHint = "look at the place in both inputs, and try another --tolerance, --size or --bandwidth";
+constexpr const char* kFillHint = "look at the place in the input, and try another --size or --blend";
 
 /// Findings of one kind; beyond a number of them they are only counted.
 class Findings {
  public:
-  explicit Findings(std::size_t max_listed) : max_listed_(max_listed) {}
+  Findings(std::size_t max_listed, const char* hint) : hint_(hint), max_listed_(max_listed) {}
 
   void add(const std::string& what, Place place) {
-    if (++n_ <= max_listed_) errors_.push_back({ErrorCode::kPromiseBroken, what, kHint, std::move(place)});
+    if (++n_ <= max_listed_) errors_.push_back({ErrorCode::kPromiseBroken, what, hint_, std::move(place)});
   }
   [[nodiscard]] std::vector<Error> all() const {
     std::vector<Error> errors = errors_;
@@ -38,6 +39,7 @@ class Findings {
   }
 
  private:
+  const char* hint_;
   std::vector<Error> errors_;
   std::size_t max_listed_, n_ = 0;
 };
@@ -75,6 +77,8 @@ class ResultCheck {
 
  private:
   using ParentPair = std::array<ElementRef, 2>;
+
+  [[nodiscard]] Findings no_findings() const { return {limits_.max_listed, outcome_.fills ? kFillHint : kHint}; }
 
   static ParentPair parents_of(const Complex& complex, const std::array<FaceId, 2>& pair) {
     const ElementRef a = complex.parent[pair[0].value], b = complex.parent[pair[1].value];
@@ -176,7 +180,7 @@ class ResultCheck {
     if (pairs.empty()) return {};
     // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
     const MetBefore met_before = outcome_.fills ? MetBefore() : MetBefore(outcome_.original);
-    Findings findings(limits_.max_listed);
+    Findings findings = no_findings();
     std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)
       if (met_before.holds(complex_, pair, kMetReach * outcome_.input_edge_length(pair[0])))
@@ -213,7 +217,7 @@ class ResultCheck {
       keys.emplace_back(v, FaceId(f));
     }
     std::sort(keys.begin(), keys.end());
-    Findings findings(limits_.max_listed);
+    Findings findings = no_findings();
     std::vector<std::array<FaceId, 2>> left;
     for (std::size_t k = 1; k < keys.size(); ++k) {
       const FaceId a = keys[k - 1].second, b = keys[k].second;
@@ -233,7 +237,7 @@ class ResultCheck {
     for (std::size_t f = 0; f < complex_.n_faces(); ++f)
       if (outcome_.is_changed(FaceId(f)))
         for (const VertexId v : complex_.face[f]) at_changed[v.value] = 1;
-    Findings findings(limits_.max_listed);
+    Findings findings = no_findings();
     for_each_edge(edge_uses(complex_, at_changed), [&](std::span<const FaceOnEdge> uses) {
       for (std::size_t i = 0; i < uses.size(); ++i)
         for (std::size_t j = i + 1; j < uses.size(); ++j) {
@@ -259,7 +263,7 @@ class ResultCheck {
     for (const Complex::Line& line : complex_.lines)
       keys.push_back({{std::min(line.ends[0], line.ends[1]), std::max(line.ends[0], line.ends[1])}, line.parent});
     std::sort(keys.begin(), keys.end());
-    Findings findings(limits_.max_listed);
+    Findings findings = no_findings();
     Warning warning;
     std::size_t n_met = 0;
     for (std::size_t k = 1; k < keys.size(); ++k) {
@@ -307,7 +311,7 @@ class ResultCheck {
 
   [[nodiscard]] ResultVerdict free_edges() const {
     const FreeEdgeChanges changes = free_edge_changes(outcome_, tolerance_, limits_.free_edge_distance);
-    Findings cracks(limits_.max_listed), closed(limits_.max_listed);
+    Findings cracks = no_findings(), closed = no_findings();
     for (const FaceOnEdge& e : changes.cracks)
       cracks.add("the edge of " + outcome_.text(e.face) + " around " +
                      text_of(midpoint(complex_.position[e.low.value], complex_.position[e.high.value])) +
@@ -324,7 +328,7 @@ class ResultCheck {
   }
 
   [[nodiscard]] ResultVerdict parents() {
-    Findings turned(limits_.max_listed), groups(limits_.max_listed);
+    Findings turned = no_findings(), groups = no_findings();
     for (std::size_t k = 0; k < complex_.n_faces(); ++k) {
       const FaceId f(k);
       if (!outcome_.is_changed(f)) continue;
@@ -348,7 +352,7 @@ class ResultCheck {
   }
 
   [[nodiscard]] ResultVerdict lost_nodes() const {
-    Findings findings(limits_.max_listed);
+    Findings findings = no_findings();
     for (const NodeRef n : outcome_.stitched.lost_nodes) {
       const Model& model = *outcome_.inputs[n.input];
       findings.add("node " + std::to_string(model.node_label[n.node.value]) + " of " + model.path + " at " +

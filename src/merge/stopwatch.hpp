@@ -1,6 +1,7 @@
 // Stages of the pipeline: announced, then timed.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -23,11 +24,14 @@ class Stopwatch {
   }
 
   void stop() {
-    if (!stage_.empty())
-      timings_.emplace_back(std::exchange(stage_, {}), std::chrono::duration<double>(Clock::now() - begin_).count());
+    if (stage_.empty()) return;
+    const auto before = std::ranges::find(timings_, stage_, &std::pair<std::string, double>::first);
+    double& seconds = before == timings_.end() ? timings_.emplace_back(stage_, 0).second : before->second;
+    seconds += std::chrono::duration<double>(Clock::now() - begin_).count();
+    stage_.clear();
   }
 
-  /// Seconds by stage, in order.
+  /// Seconds by stage, in order of their first start.
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& timings() const { return timings_; }
 
  private:

@@ -120,7 +120,7 @@ Fate fate_of(const Model& base, const std::vector<std::array<NodeId, 2>>& beams,
   return fate;
 }
 
-Fate fate_of(Beamed& b, const FillOptions& options = {}) { return fate_of(b.builder.build(), b.beams, options); }
+Fate fate_of(Beamed& b) { return fate_of(b.builder.build(), b.beams); }
 
 TEST(Fill, BeamsAcrossAFlatHoleAreFollowedHoweverItsNodesAreRounded) {
   for (const double rounding : {0.0, 1e-15, -1e-12, 1e-9}) {
@@ -176,6 +176,46 @@ TEST(Fill, BeamsThatBeginAndEndAtTheRimAreNamedWhereTheyAreNotFollowed) {
     EXPECT_EQ(std::ranges::count(fate.told, '\n'), std::ptrdiff_t(c.told.size())) << fate;
     for (const std::string& words : c.told) EXPECT_NE(fate.told.find(words), std::string::npos) << words << fate;
   }
+}
+
+/// Beams nearer to a side of the rim than they are long: faces between them would be flat.
+std::vector<NodeId> along_rim(Beamed& b, double off) {
+  std::vector<NodeId> nodes{b.nearest(0.35, 0.3)};
+  const Vec3 first = b.holed.position[nodes.front().value];
+  for (int k = 1; k < 8; ++k) nodes.push_back(b.add(first.x + 0.04 * k, first.y + off));
+  nodes.push_back(b.nearest(first.x + 0.3, first.y));
+  return nodes;
+}
+
+TEST(Fill, BeamsThatWouldMakeItPoorAreLeftOutAndNamed) {
+  for (const double off : {1e-5, 1e-3, 5e-3}) {
+    Beamed b(0);
+    b.line(along_rim(b, off));
+    const std::size_t n_poor = b.beams.size();
+    b.line(across(b, [](double) { return 0.0; }));
+    const Model base = b.builder.build();
+    const Fate fate = fate_of(base, b.beams);  // no promise is broken
+    EXPECT_EQ(fate.followed, 10u) << off;
+    EXPECT_NE(fate.told.find("smaller --min-quality"), std::string::npos) << fate;
+    EXPECT_NE(fate.told.find("and " + std::to_string(n_poor - 1) + " more"), std::string::npos) << fate;
+
+    FillOptions options;
+    options.zone.min_quality = 0;
+    EXPECT_EQ(fate_of(base, b.beams, options), (Fate{b.beams.size(), ""})) << off;
+  }
+}
+
+/// Where a fill is poor without any beam, leaving beams out is no help.
+TEST(Fill, BeamsStayFollowedWhereFacesElsewhereArePoor) {
+  Beamed b(0);
+  b.line(across(b, [](double) { return 0.0; }));
+  Model base = b.builder.build();
+  const NodeId of_rim = b.nearest(0.5, 0.25), beside = b.nearest(0.55, 0.25);
+  base.position[of_rim.value] += 0.97 * (base.position[beside.value] - base.position[of_rim.value]);
+  const Merged m = made(base);
+  EXPECT_GT(m.report.quality.below, 0u);
+  const Model result = apply(base, {}, m);
+  for (const auto& [from, to] : b.beams) EXPECT_TRUE(is_filled_along(base, result, from, to));
 }
 
 /// A spring or hinge between nodes in one place, with the beams around.

@@ -244,6 +244,23 @@ TEST(Fill, ContoursThatCannotBeFilledTogetherAreRefusedWithTheirPlace) {
   EXPECT_EQ(fill(scenes::together(two), options).error().code, ErrorCode::kUsage);
 }
 
+/// A slit so narrow that faces across it are flat.
+TEST(Fill, NoHintNamesAnOptionThatItLacks) {
+  for (const double skew : {0.0, 0.02}) {
+    const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
+    const Model open = without_faces(plate, [](Vec3 p) { return p.x > 0.2 && p.x < 0.8 && p.y > 0.4 && p.y < 0.5; });
+    const Model slit = scenes::moved(open, [=](Vec3 p) {
+      const bool is_above = p.x > 0.25 && p.x < 0.75 && p.y > 0.45 && p.y < 0.55;
+      return is_above ? Vec3{p.x + skew, 0.4 + 1e-4, 0} : p;
+    });
+    const Merged m = made(slit);
+    ASSERT_FALSE(m.report.broken_promises.empty());
+    for (const Error& e : m.report.broken_promises)
+      for (const char* option : {"--tolerance", "--trim", "--bandwidth"})
+        EXPECT_EQ(e.hint.find(option), std::string::npos) << to_string(e);
+  }
+}
+
 TEST(Fill, NewFacesAreInTheGroupsThatAllFacesAroundShare) {
   ModelBuilder builder;
   const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1, "WALL");
