@@ -66,8 +66,8 @@ struct FillOptions {
 ///      that the new faces are in.
 ///  (4) Labels count on from the largest.
 ///  (5) 1D elements in an opening, along the surface, that hang together with a contour and are no longer than two of
-///      its sides become edges of new faces, unless that makes these poor or breaks a promise. Others are warnings if
-///      they are along the surface, or on a way from a contour to a contour.
+///      its sides become edges of new faces, unless that breaks a promise which holds without. Others are warnings
+///      if they are along the surface, or on a way from a contour to a contour.
 ///  (6) No edge gets a third face. Where new faces meet other surface elements of the model, or fold back on each
 ///      other, that is a broken promise of the report.
 ///

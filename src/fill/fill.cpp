@@ -14,6 +14,7 @@
 #include "merge/compatibility.hpp"
 #include "merge/conclude.hpp"
 #include "merge/ground.hpp"
+#include "merge/quality_summary.hpp"
 #include "search/workpiece.hpp"
 #include "zone/edge_table.hpp"
 
@@ -230,33 +231,25 @@ struct Task {
 struct Attempt {
   Merged merged;
   std::set<NodePair> followed;
-  std::set<NodePair> beside_poor;  // those of them that hang together with a node of a poor face
-  std::size_t n_beside = 0;        // such faces
+  std::set<NodePair> beside_poor;  // those of them that hang together with a node of a face that breaks a promise
 
-  /// Fewer promises are broken; or none in either, and no face is poor here but those elsewhere that were before.
-  [[nodiscard]] bool is_better_than(const Attempt& other) const {
-    const Report &here = merged.report, &there = other.merged.report;
-    if (!there.broken_promises.empty()) return here.broken_promises.size() < there.broken_promises.size();
-    return here.broken_promises.empty() && here.quality.below + other.n_beside <= there.quality.below;
-  }
+  [[nodiscard]] std::size_t n_broken() const { return merged.report.broken_promises.size(); }
 };
 
-void find_beside_poor(const Remeshed& remeshed, Attempt& attempt) {
+/// Those that hang together with a node of faces that are poor without an excuse.
+std::set<NodePair> beside_poor_faces(std::set<NodePair> beams, const Remeshed& remeshed) {
   std::map<NodeRef, std::uint32_t> number;
-  for (const NodePair& beam : attempt.followed)
+  for (const NodePair& beam : beams)
     for (const NodeRef n : beam) number.try_emplace(n, static_cast<std::uint32_t>(number.size()));
   UnionFind together(number.size());
-  for (const auto& [a, b] : attempt.followed) together.unite(number.at(a), number.at(b));
+  for (const auto& [a, b] : beams) together.unite(number.at(a), number.at(b));
   std::set<std::uint32_t> poor;
-  for (const BadFace& bad : remeshed.bad) {
-    bool is_beside = false;
+  for (const BadFace& bad : remeshed.bad)
     for (const VertexId v : remeshed.complex.face[bad.face.value])
-      if (const auto it = number.find(remeshed.complex.node[v.value]); it != number.end())
-        is_beside = true, poor.insert(together.find(it->second));
-    if (is_beside) ++attempt.n_beside;
-  }
-  for (const NodePair& beam : attempt.followed)
-    if (poor.contains(together.find(number.at(beam[0])))) attempt.beside_poor.insert(beam);
+      if (const auto it = number.find(remeshed.complex.node[v.value]); it != number.end() && !is_excused(bad))
+        poor.insert(together.find(it->second));
+  std::erase_if(beams, [&](const NodePair& beam) { return !poor.contains(together.find(number.at(beam[0]))); });
+  return beams;
 }
 
 Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& watch) {
@@ -299,7 +292,7 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
                                    " does not continue the surface as wanted: faces there would be folded or flat",
                                {base.path, 0}});
   made.followed = std::move(coarse->beams);
-  find_beside_poor(filling.remeshed, made);
+  made.beside_poor = beside_poor_faces(made.followed, filling.remeshed);
   zone.remeshed = std::move(filling.remeshed);
   zone.bandwidth = {0};
   give_node_groups(around, holes, zone.remeshed.complex, graft.group_sets);
@@ -340,10 +333,10 @@ Result<Merged> fill(const Model& base, const FillOptions& options) {
     for (const NodePair& beam : beams) left_out[beam] = Obstacle::kPoorFaces;
     if (left_out.size() == n_before) return;
     Result<Attempt> without = attempted(task, left_out, watch);
-    if (without && without->is_better_than(*best)) best = std::move(without);
+    if (without && without->n_broken() < best->n_broken()) best = std::move(without);
   };
-  try_without(best->beside_poor);
-  if (!best->merged.report.broken_promises.empty()) try_without(best->followed);
+  if (best->n_broken() > 0) try_without(best->beside_poor);
+  if (best->n_broken() > 0) try_without(best->followed);
   best->merged.report.timings = watch.timings();
   return std::move(best->merged);
 }

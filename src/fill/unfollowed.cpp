@@ -32,7 +32,7 @@ Words words_for(Obstacle why) {
     case Obstacle::kNoFaces:
       return {"no faces can be made along all of them", "where they cross each other, give both a node there"};
     case Obstacle::kPoorFaces:
-      return {"faces beside them would have Q below --min-quality, or break another promise",
+      return {"faces beside them would be too poor to be written, or break another promise",
               "move their nodes away from others, or give a smaller --min-quality"};
   }
   return {};

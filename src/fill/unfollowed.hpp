@@ -19,7 +19,7 @@ enum class Obstacle : std::uint8_t {
   kTooLong,
   kCutOff,     // only others with an obstacle lead from it to a rim
   kNoFaces,    // no faces can be made along it
-  kPoorFaces,  // those that can break a promise or are poor
+  kPoorFaces,  // those that can are poor, or break another promise
 };
 
 struct UnfollowedBeam {

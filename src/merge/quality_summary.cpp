@@ -61,6 +61,8 @@ bool is_unavoidable(const BadFace& bad) {
   return bad.cause.kind == Cause::Kind::kInputAngle || bad.cause.kind == Cause::Kind::kInputDetail;
 }
 
+bool is_excused(const BadFace& bad) { return is_unavoidable(bad) && bad.q >= kExcused; }
+
 QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, double min_quality) {
   const Complex& complex = outcome.final_complex;
   std::vector<FaceQuality> faces;
@@ -87,8 +89,7 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
           {f.q, centroid(complex.corners(f.face)), outcome.label(f.face), cause ? cause->cause.text : ""});
     if (f.q >= min_quality) continue;
     ++s.below;
-    const bool excused = cause != nullptr && is_unavoidable(*cause) && f.q >= kExcused;
-    (excused ? unavoidable : avoidable).push_back(f);
+    (cause != nullptr && is_excused(*cause) ? unavoidable : avoidable).push_back(f);
   }
   if (!avoidable.empty())
     verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),

@@ -21,5 +21,7 @@ struct QualityVerdict {
 
 /// Whether a poor face is the fault of the inputs: no mesh could be better there.
 [[nodiscard]] bool is_unavoidable(const BadFace& bad);
+/// Whether it is, and is no worse than inputs may excuse: then it breaks no promise.
+[[nodiscard]] bool is_excused(const BadFace& bad);
 
 }  // namespace meshgraft
