@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "core/union_find.hpp"
+#include "fill/steepness.hpp"
 #include "geometry/plane.hpp"
 #include "meshgraft/vec3.hpp"
 
 namespace meshgraft {
 namespace {
 
-const double kSteepest = std::sin(20 * std::numbers::pi / 180);  // of a beam to the surface at its ends
-
-constexpr double kLongest = 2;  // sides of the rims, on average: a longer beam would leave poor faces beside it
+constexpr double kLongest = 2;  // sides of the rims, on average: faces beside a longer beam would be larger than around
 
 /// One side of a rim, or a beam in one of its directions.
 struct Step {
@@ -35,42 +34,30 @@ class Follower {
         normals_(normals),
         plane_(area_of(complex, hole)) {
     double n = 0;
-    for (const Rim& rim : hole) n += static_cast<double>(rim.vertices.size());
+    for (const Rim& rim : hole) {
+      auto& in_plane = rims_in_plane_.emplace_back();
+      for (const VertexId v : rim.vertices) in_plane.push_back(plane_(at(v)));
+      n += static_cast<double>(rim.vertices.size());
+    }
     longest_ = kLongest * length_of(complex, hole) / n;
   }
 
   FollowedBeams run(const LeftOut& left_out) {
     const std::set<Beam> all = hanging(open_beams());
     find_places(all);
-    std::set<Beam> along;
-    std::map<Beam, Obstacle> obstacles;
-    for (const Beam& beam : all) {
-      const std::optional<Obstacle> obstacle = obstacle_of(beam, left_out);
-      if (obstacle != Obstacle::kBeside && obstacle != Obstacle::kTooSteep) along.insert(beam);
-      if (obstacle)
-        obstacles[beam] = *obstacle;
-      else
-        beams_.insert(beam);
-    }
-    const std::set<Beam> free_of_obstacles = std::exchange(beams_, hanging(beams_));
-    for (const Beam& beam : free_of_obstacles)
-      if (!beams_.contains(beam)) obstacles[beam] = Obstacle::kCutOff;
+    find_obstacles(all, left_out);
     const auto cut = beams_.empty() || !tell_regions_apart() ? std::nullopt : regions();
     if (!cut)
-      for (const Beam& beam : std::exchange(beams_, {})) obstacles[beam] = Obstacle::kNoFaces;
+      for (const Beam& beam : std::exchange(beams_, {})) obstacle_[beam] = Obstacle::kNoFaces;
 
     FollowedBeams followed;
-    followed.regions = cut ? *cut : std::vector<Region>{whole()};
+    followed.regions = cut ? *cut : std::vector<Region>{region_of(hole_)};
     for (const auto& [a, b] : beams_) {
       followed.beams.insert(nodes_of(complex_, a, b));
       for (const VertexId v : {a, b})
         if (!is_of_rim(v)) followed.normal[v] = normal(v);
     }
-    const std::set<Beam> in_hole = hanging(along), across = without_dead_ends(all);
-    for (const Complex::Line& line : complex_.lines)
-      if (const auto it = obstacles.find(beam_of(line));
-          it != obstacles.end() && (in_hole.contains(it->first) || across.contains(it->first)))
-        followed.unfollowed.push_back({line.parent.element, it->second});
+    followed.unfollowed = unfollowed(all);
     return followed;
   }
 
@@ -92,12 +79,6 @@ class Follower {
       it->second = normalized(sum);
     }
     return it->second;
-  }
-
-  [[nodiscard]] Region whole() const {
-    Region rims;
-    for (const Rim& rim : hole_) rims.push_back(rim.vertices);
-    return rims;
   }
 
   /// Beams between nodes that are of a rim or of no face, but not along faces.
@@ -164,15 +145,47 @@ class Follower {
     return it == place_.end() || is_of_rim(v) ? v : it->second;
   }
 
+  /// Parts those that can be followed from the rest.
+  void find_obstacles(const std::set<Beam>& all, const LeftOut& left_out) {
+    std::set<Beam> free;
+    for (const Beam& beam : all) {
+      if (const std::optional<Obstacle> obstacle = obstacle_of(beam, left_out))
+        obstacle_[beam] = *obstacle;
+      else
+        free.insert(beam);
+    }
+    beams_ = hanging(free);
+    for (const Beam& beam : free)
+      if (!beams_.contains(beam)) obstacle_[beam] = Obstacle::kCutOff;
+  }
+
+  /// Those that the user would miss: what lies along the surface, and what is on a way from a rim to a rim.
+  [[nodiscard]] std::vector<UnfollowedBeam> unfollowed(const std::set<Beam>& all) const {
+    std::set<Beam> along = all;
+    std::erase_if(along, [&](const Beam& beam) {
+      const auto it = obstacle_.find(beam);
+      return it != obstacle_.end() && (it->second == Obstacle::kBeside || it->second == Obstacle::kTooSteep);
+    });
+    along = hanging(std::move(along));
+    const std::set<Beam> across = without_dead_ends(all);
+    std::vector<UnfollowedBeam> told;
+    for (const Complex::Line& line : complex_.lines) {
+      const auto it = obstacle_.find(beam_of(line));
+      if (it != obstacle_.end() && (along.contains(it->first) || across.contains(it->first)))
+        told.push_back({line.parent.element, it->second});
+    }
+    return told;
+  }
+
+  /// What keeps a beam from being followed, by itself.
   [[nodiscard]] std::optional<Obstacle> obstacle_of(const Beam& beam, const LeftOut& left_out) {
     const auto [a, b] = beam;
     if (at(a) == at(b)) return Obstacle::kNoLength;
-    const auto is_over_hole = [&](VertexId v) { return is_of_rim(followed_at(v)) || is_inside(plane_(at(v))); };
-    if (is_of_rim(followed_at(a)) && is_of_rim(followed_at(b))) {
-      if (!is_inside(plane_(midpoint(at(a), at(b))))) return Obstacle::kBeside;
-    } else if (!is_over_hole(a) || !is_over_hole(b)) {
-      return Obstacle::kBeside;
-    }
+    const bool a_is_of_rim = is_of_rim(followed_at(a)), b_is_of_rim = is_of_rim(followed_at(b));
+    const bool is_beside = a_is_of_rim && b_is_of_rim
+                               ? !is_over_hole(midpoint(at(a), at(b)))
+                               : (!a_is_of_rim && !is_over_hole(at(a))) || (!b_is_of_rim && !is_over_hole(at(b)));
+    if (is_beside) return Obstacle::kBeside;
     const Vec3 way = normalized(at(b) - at(a));
     if (std::abs(dot(way, normal(a))) > kSteepest || std::abs(dot(way, normal(b))) > kSteepest)
       return Obstacle::kTooSteep;
@@ -182,14 +195,10 @@ class Follower {
     return it == left_out.end() ? std::nullopt : std::optional(it->second);
   }
 
-  /// By the sides that a ray to the right crosses.
-  [[nodiscard]] bool is_inside(Vec2 p) const {
+  /// Over the opening: inside of an odd number of rims.
+  [[nodiscard]] bool is_over_hole(Vec3 p) const {
     bool inside = false;
-    for (const Rim& rim : hole_)
-      for (std::size_t k = 0; k < rim.vertices.size(); ++k) {
-        const Vec2 a = plane_(at(rim.vertices[k])), b = plane_(at(rim.vertices[(k + 1) % rim.vertices.size()]));
-        if ((a.y > p.y) != (b.y > p.y) && turn_sign(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;
-      }
+    for (const auto& rim : rims_in_plane_) inside = inside != is_inside(rim, plane_(p));
     return inside;
   }
 
@@ -259,11 +268,13 @@ class Follower {
   const Hole& hole_;
   const std::map<VertexId, Vec3>& normals_;
   Plane plane_;
-  double longest_ = 0;  // a length
-  std::map<std::array<double, 3>, VertexId> place_;
-  std::set<Beam> beams_;            // that are followed
-  std::map<VertexId, Vec3> inner_;  // normals
-  bool is_one_piece_ = true;        // the rims and the beams
+  std::vector<std::vector<Vec2>> rims_in_plane_;
+  double longest_ = 0;                               // that is followed, a length
+  std::map<std::array<double, 3>, VertexId> place_;  // the node that is followed, by its coordinates
+  std::map<Beam, Obstacle> obstacle_;                // of those that are not followed
+  std::set<Beam> beams_;                             // that are followed
+  std::map<VertexId, Vec3> inner_;                   // normals
+  bool is_one_piece_ = true;                         // the rims and the beams
   std::vector<Step> steps_;
   std::map<VertexId, std::vector<std::size_t>> from_;  // steps
 };

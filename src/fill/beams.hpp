@@ -10,9 +10,6 @@
 
 namespace meshgraft {
 
-/// A piece of a hole that is filled by itself.
-using Region = std::vector<std::vector<VertexId>>;  // closed chains with what is open on the left, as in Opening
-
 struct FollowedBeams {
   std::vector<Region> regions;
   std::set<NodePair> beams;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
+#include "fill/steepness.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/quality.hpp"
@@ -11,8 +11,6 @@
 
 namespace meshgraft {
 namespace {
-
-const double kSteepest = std::sin(20 * std::numbers::pi / 180);  // of a way to the surface at its ends
 
 class Nesting {
  public:
@@ -52,20 +50,11 @@ class Nesting {
     Vec3 mean;
     for (const NodeId n : contours_[hole].nodes) mean += normal_.at(n);
     const Plane plane(mean);
+    std::vector<Vec2> rim;
+    for (const NodeId n : contours_[hole].nodes) rim.push_back(plane(at(n)));
     return std::ranges::all_of(contours_[border].nodes, [&](NodeId n) {
-      return is_inside(contours_[hole], plane, plane(at(n))) && is_reached(contours_[hole], n);
+      return is_inside(rim, plane(at(n))) && is_reached(contours_[hole], n);
     });
-  }
-
-  /// By the sides that a ray to the right crosses.
-  [[nodiscard]] bool is_inside(const Contour& hole, const Plane& plane, Vec2 p) const {
-    bool inside = false;
-    for (std::size_t k = 0; k < hole.nodes.size(); ++k) {
-      const Vec2 a = plane(at(hole.nodes[k])), b = plane(at(hole.nodes[(k + 1) % hole.nodes.size()]));
-      if ((a.y > p.y) == (b.y > p.y)) continue;
-      if (turn_sign(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;
-    }
-    return inside;
   }
 
   /// From the nearest node of the hole.

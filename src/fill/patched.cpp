@@ -44,22 +44,24 @@ struct RimNormals {
   }
 };
 
-/// Faces that fill all regions.
-tl::expected<OpeningFill, std::string> filled(Opening& opening, std::span<const Region> regions,
-                                              const OpeningOptions& options) {
-  OpeningFill all;
+using Faces = std::vector<std::array<VertexId, 3>>;
+
+/// Faces that fill each region.
+tl::expected<Faces, std::string> faces_of_regions(Opening& opening, std::span<const Region> regions,
+                                                  const OpeningOptions& options) {
+  Faces all;
   for (const Region& region : regions) {
     opening.contours = region;
-    auto fill = fill_opening(opening, options);
-    if (!fill) return fill;
-    all.faces.insert(all.faces.end(), fill->faces.begin(), fill->faces.end());
+    const auto fill = fill_opening(opening, options);
+    if (!fill) return tl::unexpected(fill.error());
+    all.insert(all.end(), fill->faces.begin(), fill->faces.end());
   }
   return all;
 }
 
-/// The faces that close a hole; the surface is followed as far as that is possible.
-tl::expected<OpeningFill, std::string> closed(const Complex& c, const EdgeTable& edges, const Hole& hole,
-                                              const RimNormals& normals, const FollowedBeams& beams) {
+/// Faces that close a hole along the beams; the surface around is continued as far as that is possible.
+tl::expected<Faces, std::string> faces_along(const FollowedBeams& beams, const Complex& c, const EdgeTable& edges,
+                                             const Hole& hole, const RimNormals& normals) {
   const Vec3 across = normalized(area_of(c, hole));
   const Vec3 origin = c.position[hole.front().vertices.front().value];
   Opening opening;
@@ -74,31 +76,31 @@ tl::expected<OpeningFill, std::string> closed(const Complex& c, const EdgeTable&
   };
   opening.has_edge = [&](VertexId a, VertexId b) { return edges.find(a, b).valid(); };
   OpeningOptions options;
-  const auto along = filled(opening, beams.regions, options);
+  const auto along = faces_of_regions(opening, beams.regions, options);
   if (along) return along;
   opening.normal = [&](VertexId) { return across; };  // a cap: the end of a pipe, a rim that is folded
   for (const double least_cosine : {options.least_cosine, 0.0}) {
     options.least_cosine = least_cosine;
-    if (auto fill = filled(opening, beams.regions, options)) return fill;
+    if (auto fill = faces_of_regions(opening, beams.regions, options)) return fill;
   }
   return along;
 }
 
-/// The same along the beams in the hole that are not left out, if it can be closed so; what is followed and what is not
+/// Faces that close a hole along the beams in it, or without them if that cannot be. What is followed and what is not
 /// is added to `p`.
-tl::expected<OpeningFill, std::string> closed(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
-                                              const Hole& hole, LeftOut left_out, Patched& p) {
+tl::expected<Faces, std::string> faces_of_hole(const Complex& c, const VertexFaces& faces_at, const EdgeTable& edges,
+                                               const Hole& hole, LeftOut left_out, Patched& p) {
   const RimNormals normals(c, faces_at, hole);
   FollowedBeams beams = follow_beams(c, faces_at, edges, hole, normals.at, left_out);
-  auto fill = closed(c, edges, hole, normals, beams);
-  if (!fill && !beams.beams.empty()) {
+  auto faces = faces_along(beams, c, edges, hole, normals);
+  if (!faces && !beams.beams.empty()) {
     for (const NodePair& beam : beams.beams) left_out[beam] = Obstacle::kNoFaces;
     beams = follow_beams(c, faces_at, edges, hole, normals.at, left_out);
-    fill = closed(c, edges, hole, normals, beams);
+    faces = faces_along(beams, c, edges, hole, normals);
   }
   p.beams.insert(beams.beams.begin(), beams.beams.end());
   p.unfollowed.insert(p.unfollowed.end(), beams.unfollowed.begin(), beams.unfollowed.end());
-  return fill;
+  return faces;
 }
 
 /// The face of a hole's rims whose attributes hold along the greatest part of them.
@@ -116,6 +118,12 @@ FaceId typical_face(const Complex& c, const Hole& hole) {
 }
 
 }  // namespace
+
+Region region_of(const Hole& hole) {
+  Region rims;
+  for (const Rim& rim : hole) rims.push_back(rim.vertices);
+  return rims;
+}
 
 double length_of(const Complex& c, const Hole& hole) {
   double sum = 0;
@@ -164,13 +172,13 @@ tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const 
   Patched p;
   p.complex = around, p.n_around = around.n_faces();
   for (std::size_t h = 0; h < holes.size(); ++h) {
-    const auto fill = closed(around, faces_at, edges, holes[h], left_out, p);
-    if (!fill) return tl::unexpected(NotClosed{h, fill.error()});
+    const auto faces = faces_of_hole(around, faces_at, edges, holes[h], left_out, p);
+    if (!faces) return tl::unexpected(NotClosed{h, faces.error()});
     const FaceId like = typical_face(around, holes[h]);
     GroupSetId common = around.face_groups[like.value];
     for (const Rim& rim : holes[h])
       for (const FaceId f : rim.faces) common = groups.intersect(common, around.face_groups[f.value]);
-    for (const auto& v : fill->faces) {
+    for (const auto& v : *faces) {
       const FaceId f = p.complex.add_face(v, around, like);
       p.complex.face_groups[f.value] = common;
     }

@@ -25,6 +25,11 @@ struct Rim {
 /// An opening, by the rims that bound it together.
 using Hole = std::vector<Rim>;
 
+/// A piece of a hole that is filled by itself.
+using Region = std::vector<std::vector<VertexId>>;  // closed chains with what is open on the left, as in Opening
+
+/// The hole in one piece.
+[[nodiscard]] Region region_of(const Hole& hole);
 [[nodiscard]] double length_of(const Complex& c, const Hole& hole);
 /// Area vector of the polygons through the vertices.
 [[nodiscard]] Vec3 area_of(const Complex& c, const Hole& hole);

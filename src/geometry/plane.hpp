@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "geometry/predicates.hpp"
@@ -24,5 +25,16 @@ class Plane {
  private:
   std::size_t u_ = 0, v_ = 1;
 };
+
+/// Whether p is inside of a closed chain of points, by the sides that a ray to the right crosses. A point on the chain
+/// is on either side.
+[[nodiscard]] inline bool is_inside(std::span<const Vec2> chain, Vec2 p) {
+  bool inside = false;
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const Vec2 a = chain[k], b = chain[(k + 1) % chain.size()];
+    if ((a.y > p.y) != (b.y > p.y) && turn_sign(a, b, p) == (b.y > a.y ? 1 : -1)) inside = !inside;
+  }
+  return inside;
+}
 
 }  // namespace meshgraft
