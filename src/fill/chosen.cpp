@@ -42,6 +42,17 @@ std::optional<Warning> no_contour(const Model& base, const FreeEdges& edges) {
       place_of(base, at)};
 }
 
+Failure nothing_to_fill(const Model& base, std::span<const Contour> all, const std::optional<Warning>& open) {
+  const std::string what = "nothing to fill in " + base.path + ": ";
+  if (open)
+    return failure(ErrorCode::kUsage, what + open->what,
+                   "turn the faces alike, or fill the hole before anything is joined beside it", open->place);
+  if (all.empty())
+    return failure(ErrorCode::kUsage, what + "it has no free edges", "meshgraft check lists the edges of a mesh", {});
+  return failure(ErrorCode::kUsage, what + "its contours are outer borders or run along other elements",
+                 "name one with --contour", {});
+}
+
 }  // namespace
 
 std::string numbers_of(const OpeningContours& opening) {
@@ -78,13 +89,7 @@ Result<Openings> chosen(const Model& base, const FreeEdges& edges, const FillOpt
                           place_of_contour(base, all[k])});
   const auto open = no_contour(base, edges);
   if (open) warnings.push_back(*open);
-  if (openings.empty())
-    return failure(ErrorCode::kUsage, "nothing to fill in " + base.path,
-                   open ? open->what
-                   : all.empty()
-                       ? "it has no free edges"
-                       : "its contours are outer borders or run along other elements; name one with --contour",
-                   open ? open->place : Place{});
+  if (openings.empty()) return nothing_to_fill(base, all, open);
   return openings;
 }
 

@@ -117,7 +117,8 @@ TEST(Fill, AHoleAlongWhichFacesTurnIsNamed) {
   const auto result = fill(base);
   ASSERT_FALSE(result.has_value());
   EXPECT_EQ(result.error().code, ErrorCode::kUsage);
-  EXPECT_NE(result.error().hint.find("close no contour"), std::string::npos) << result.error().hint;
+  EXPECT_NE(result.error().what.find("close no contour"), std::string::npos) << result.error().what;
+  EXPECT_NE(result.error().hint.find("turn the faces alike"), std::string::npos) << result.error().hint;
 }
 
 TEST(Fill, AnEndOfAPipeThatIsNamedGetsACap) {
