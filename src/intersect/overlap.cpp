@@ -29,10 +29,9 @@ double tolerance(const Meeting& m, const FacePair& p) {
 
 /// Width from which two faces lie on each other. Faces that cross are within the tolerance along a strip: only if it
 /// is as wide as the new faces will be do these lie on each other.
-double least_width(const Meeting& m, const FacePair& p, const CorefineOptions& options) {
+double least_width(const Meeting& m, const FacePair& p) {
   const double size = std::min(m.size[m.side[0].face(p[0]).value], m.size[m.side[1].face(p[1]).value]);
-  const double strip = kStrip * tolerance(m, p);
-  return options.mode == Mode::kAuto ? std::max(strip, kNarrow * size) : strip;
+  return std::max(kStrip * tolerance(m, p), kNarrow * size);
 }
 
 /// The part of `u` that lies over `t` and within `gap` of its plane.
@@ -59,8 +58,7 @@ std::optional<FacePair> find_overlap(const Meeting& m, const CorefineOptions& op
   for (const FacePair& p : m.pairs) {
     const Triangle t = m.triangle(0, p[0]), u = m.triangle(1, p[1]);
     const double gap = tolerance(m, p);
-    if (are_flat_to_each_other(t, u, options) && mean_width(part_near(u, t, gap)) > least_width(m, p, options))
-      return p;
+    if (are_flat_to_each_other(t, u, options) && mean_width(part_near(u, t, gap)) > least_width(m, p)) return p;
   }
   return std::nullopt;
 }

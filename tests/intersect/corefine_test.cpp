@@ -219,6 +219,9 @@ TEST(Corefine, SurfacesThatTouchInASpotSmallerThanTheirFacesAreAFaultThatSaysHow
 
 TEST(Corefine, SurfacesAtASmallAngleAreJoinedWhereTheSpotHoldsFaces) {
   EXPECT_TRUE(join({wall(), cap(0.15, 0.1)}).result.has_value());
+  CorefineOptions crossing;
+  crossing.mode = Mode::kFaceEdge;
+  EXPECT_TRUE(join({wall(), cap(0.15, 0.1)}, crossing).result.has_value());
   EXPECT_TRUE(join({wall(), cap(0.02, 1)}).result.has_value());  // a corner that comes through
 }
 
