@@ -10,6 +10,7 @@
 #include "cut/cut_edges.hpp"
 #include "cut/elements.hpp"
 #include "cut/entries.hpp"
+#include "cut/grazed.hpp"
 #include "cut/round.hpp"
 #include "cut/sides.hpp"
 #include "cut/take_out.hpp"
@@ -54,22 +55,26 @@ struct Incision {
   DroppedElements elements;
   std::vector<std::array<VertexId, 2>> border;  // of what goes and what stays
   std::vector<DroppedEntry> entries;
+  std::vector<Warning> warnings;
 };
 
 /// The tolerance only spares slivers between the cut and what is near it. Where details of the base are
-/// finer, it bends the tool more than its faces can follow: then a smaller one is tried.
+/// finer, it bends the tool more than its faces can follow, and where the base is nearly parallel to the tool, it takes
+/// for one surface what crosses: then a smaller one is tried.
 tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& complex, GroupSets& sets,
                                                            const MergeOptions& zone) {
   constexpr int kMostAttempts = 3;
   constexpr double kNextShare = 0.1;
   CorefineOptions options;
   options.mode = Mode::kFaceEdge;  // faces of the base that lie on the tool are on neither side of it
+  options.leaves_pockets = true;
   options.tolerance = zone.tolerance;
   options.contact_angle = zone.contact_angle;
   for (int attempt = 1;; ++attempt) {
     auto corefined = corefine(complex, sets, options);
-    const bool settled = corefined || (corefined.error().code != ErrorCode::kJunctionNotResolved &&
-                                       corefined.error().code != ErrorCode::kUsage);
+    const bool settled =
+        corefined || (corefined.error().code != ErrorCode::kJunctionNotResolved &&
+                      corefined.error().code != ErrorCode::kOverlap && corefined.error().code != ErrorCode::kUsage);
     if (settled || attempt == kMostAttempts) return corefined;
     options.tolerance.value *= kNextShare;
   }
@@ -89,13 +94,13 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
   Complex both = out.original;
   const std::uint32_t component = add_tool(tool.model, near.of_tool, both);
 
-  const auto corefined = corefined_with_tool(both, sets, options.zone);
+  auto corefined = corefined_with_tool(both, sets, options.zone);
   if (!corefined) {
     Error error = to_error(with_tool, corefined.error());
-    if (error.code == ErrorCode::kOverlap)
-      error.hint = "the tool lies on faces of the base there; move it off them by more than the tolerance";
+    if (error.code == ErrorCode::kOverlap) error.hint = "the tool lies on faces of the base there; move it off them";
     return Failure(std::move(error));
   }
+  out.warnings = leave_grazed(base, component, options.zone.tolerance, *corefined);
 
   const Complex& complex = corefined->complex;
   const BasePieces pieces = base_pieces(base, complex, corefined->junction_edges, component);
@@ -162,6 +167,7 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   auto incision = incise(base, *tool, options, ground.table, graft.group_sets);
   if (!incision) return Failure(incision.error());
   report.dropped = std::move(incision->entries);
+  append(report.warnings, std::move(incision->warnings));
   append(report.warnings, std::move(incision->elements.warnings));
   Dropped dropped = take_out(*incision, graft);
   const Corefined& corefined = incision->marked.corefined;

@@ -25,6 +25,8 @@ struct CorefineOptions {
   Overlap overlap = Overlap::kFuse;
   /// Edges folded more than this are sharp. Radians.
   double sharp_angle = radians(30);
+  /// Pockets (see find_pockets()) are imprinted like all else, and no fault.
+  bool leaves_pockets = false;
 };
 
 /// The complex after all components have been imprinted on each other.
@@ -127,7 +129,7 @@ struct JunctionFault {
 ///  (7) A tolerance that would weld two sides of one component together is a fault, with their distance.
 ///
 /// Frozen vertices are not moved; a junction that reaches one is cut like any other, the faces are
-/// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area; see find_pocket()),
+/// then simply split. Faults: kOverlap (coplanar or nearly parallel faces share area; see pocket_fault()),
 /// kDegenerateFace and kDuplicateFace (near the junction), kUsage (mode, tolerance), kJunctionNotResolved.
 [[nodiscard]] tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
                                                               const CorefineOptions& options);

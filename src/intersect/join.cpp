@@ -64,9 +64,10 @@ class Joiner {
       if (round == 0 && extended) settled_ = false;
     }
     if (settled_) {
-      auto pocket = find_pocket(complex_, active_faces(), marks_.size);
-      if (pocket) return ImprintFault{std::move(*pocket), {}};
-      return std::nullopt;
+      if (options_.leaves_pockets) return std::nullopt;
+      const std::vector<Pocket> pockets = find_pockets(complex_, active_faces(), marks_.size);
+      if (pockets.empty()) return std::nullopt;
+      return ImprintFault{pocket_fault(complex_, marks_.size, pockets.front()), {}};
     }
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }

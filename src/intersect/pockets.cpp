@@ -26,25 +26,33 @@ struct Piece {
   bool is_closed = true;      // every edge of its border is a wall
 };
 
+/// Edge length of the finest face.
+double least_size(std::span<const double> size, const std::vector<FaceId>& faces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceId f : faces) least = std::min(least, size[f.value]);
+  return least;
+}
+
 class Pockets {
  public:
   Pockets(const Complex& complex, const std::array<std::vector<FaceId>, 2>& sides, std::span<const double> size)
       : complex_(complex), sides_(sides), size_(size) {}
 
-  std::optional<JunctionFault> find() {
+  std::vector<Pocket> find() {
     find_walls();
-    if (walls_.empty()) return std::nullopt;
+    std::vector<Pocket> pockets;
+    if (walls_.empty()) return pockets;
     std::map<std::vector<Edge>, Piece> first;
     for (Piece& piece : pieces_of(0)) first.emplace(piece.walls, piece);
     for (const Piece& piece : pieces_of(1)) {
       const double wide = width(piece);
-      if (wide >= kNarrow * size_of(piece)) continue;
+      if (wide >= kNarrow * least_size(size_, piece.faces)) continue;
       const auto other = first.find(piece.walls);
       if (other == first.end()) continue;
       const double deep = std::max(depth(piece, other->second), depth(other->second, piece));
-      if (deep < kShallow * wide) return fault(other->second, piece, wide, deep);
+      if (deep < kShallow * wide) pockets.push_back({{other->second.faces, piece.faces}, piece.walls, wide, deep});
     }
-    return std::nullopt;
+    return pockets;
   }
 
  private:
@@ -109,13 +117,6 @@ class Pockets {
     return pieces;
   }
 
-  /// Edge length of the finest face.
-  [[nodiscard]] double size_of(const Piece& piece) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const FaceId f : piece.faces) least = std::min(least, size_[f.value]);
-    return least;
-  }
-
   /// Of a round one the diameter, of a long one twice the width.
   [[nodiscard]] double width(const Piece& piece) const {
     double all = 0, around = 0;
@@ -137,16 +138,6 @@ class Pockets {
     return most;
   }
 
-  [[nodiscard]] JunctionFault fault(const Piece& first, const Piece& second, double wide, double deep) const {
-    return {ErrorCode::kOverlap,
-            "two surfaces touch more than they cross: they come through each other by only " + text_of(deep) +
-                ", in a spot " + text_of(wide) + " wide, narrower than the faces there (" + text_of(size_of(second)) +
-                ")",
-            {complex_.parent[first.faces.front().value], complex_.parent[second.faces.front().value]},
-            centroid(complex_.corners(second.faces.front())),
-            "move the part: deeper in, so that it is joined along a clear line, or away by more than that"};
-  }
-
   const Complex& complex_;
   const std::array<std::vector<FaceId>, 2>& sides_;
   std::span<const double> size_;
@@ -156,9 +147,20 @@ class Pockets {
 
 }  // namespace
 
-std::optional<JunctionFault> find_pocket(const Complex& complex, const std::array<std::vector<FaceId>, 2>& sides,
-                                         std::span<const double> size) {
+std::vector<Pocket> find_pockets(const Complex& complex, const std::array<std::vector<FaceId>, 2>& sides,
+                                 std::span<const double> size) {
   return Pockets(complex, sides, size).find();
+}
+
+JunctionFault pocket_fault(const Complex& complex, std::span<const double> size, const Pocket& pocket) {
+  const auto& [first, second] = pocket.faces;
+  return {ErrorCode::kOverlap,
+          "two surfaces touch more than they cross: they come through each other by only " + text_of(pocket.depth) +
+              ", in a spot " + text_of(pocket.width) + " wide, narrower than the faces there (" +
+              text_of(least_size(size, second)) + ")",
+          {complex.parent[first.front().value], complex.parent[second.front().value]},
+          centroid(complex.corners(second.front())),
+          "move the part: deeper in, so that it is joined along a clear line, or away by more than that"};
 }
 
 }  // namespace meshgraft
