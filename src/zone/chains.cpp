@@ -101,11 +101,14 @@ std::vector<VertexId> sharp_turns(const Chain& chain, std::span<const Vec3> posi
     if (chain.closed) s = s < 0 ? s + length : s > length ? s - length : s;
     return point_at(points, arc, std::clamp(s, 0.0, length));
   };
+  // An end this near is the corner already; but a chain shorter than the reach is judged as it is.
+  const auto is_at_end = [&](std::size_t i) {
+    const double r = reach[chain.vertices[i].value];
+    return !chain.closed && length > 2 * r && (arc[i] < r || length - arc[i] < r);
+  };
   const auto turn = [&](std::size_t i) {
     const std::size_t before = i > 0 ? i - 1 : n - 1;
     const double r = reach[chain.vertices[i].value];
-    // An end this near is the corner already; but a chain shorter than the reach is judged as it is.
-    if (!chain.closed && length > 2 * r && (arc[i] < r || length - arc[i] < r)) return 0.0;
     const double back = std::max(r, arc[before + 1] - arc[before]), ahead = std::max(r, arc[i + 1] - arc[i]);
     if (chain.closed && back + ahead > length) return 0.0;  // all of it within reach: a dot, not a turn
     const Vec3 in = points[i] - at(arc[i] - back), out = at(arc[i] + ahead) - points[i];
@@ -117,7 +120,7 @@ std::vector<VertexId> sharp_turns(const Chain& chain, std::span<const Vec3> posi
 
   std::vector<VertexId> result;
   for (std::size_t i = first; i < n; ++i) {
-    if (turns[i] <= turn_angle) continue;
+    if (turns[i] <= turn_angle || is_at_end(i)) continue;
     const double r = reach[chain.vertices[i].value];
     const auto outdone_by = [&](std::size_t j) {
       return turns[j] > turns[i] || (turns[j] == turns[i] && chain.vertices[j] < chain.vertices[i]);

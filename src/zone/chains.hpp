@@ -35,7 +35,8 @@ struct Chain {
 
 /// Vertices inside a chain where it turns by more than `turn_angle`. The turn is measured between the
 /// directions to the points `reach` (by vertex) away, so that the noise of very short edges does not
-/// count and a small chamfer does; of several such vertices within that reach only the sharpest one is given.
+/// count and a small chamfer does; of several such vertices within that reach only the sharpest one is given, and none
+/// if that is within reach of an end of the chain.
 [[nodiscard]] std::vector<VertexId> sharp_turns(const Chain& chain, std::span<const Vec3> position,
                                                 std::span<const double> reach, double turn_angle);
 

@@ -307,6 +307,29 @@ TEST(Brep, ChamferIsOneCorner) {
   EXPECT_EQ(n_corners(brep), 4u);
 }
 
+TEST(Brep, ATurnNearACornerIsNoCornerAndMakesNoneOfItsNeighbour) {
+  // A strip 0.05 wide, cut out of one large face, hangs on the edge of a wall that stands on it. Its end turns by 90
+  // degrees, nearer to the corner at the wall than a turn is measured; the vertex beside it is a little farther off.
+  ModelBuilder b;
+  const std::array<double, 3> x{-4, -0.02, 0};
+  std::vector<NodeId> low, edge, high;
+  for (const double at : x) {
+    low.push_back(b.add_node({at, 0, 0}));
+    edge.push_back(b.add_node({at, 0.05, 0}));
+    high.push_back(b.add_node({at, 0.05, 1}));
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    b.add_face(low[i], low[i + 1], edge[i + 1]), b.add_face(low[i], edge[i + 1], edge[i]);
+    b.add_face(edge[i], edge[i + 1], high[i + 1]), b.add_face(edge[i], high[i + 1], high[i]);
+  }
+  Joined j = joined(std::array{b.build()});
+  for (const std::size_t f : {1, 4, 5}) j.complex.parent[f] = j.complex.parent[0];
+  const Brep brep = read(j);
+  EXPECT_EQ(brep.dimension[edge[2].value], Dimension::kCorner);
+  EXPECT_EQ(brep.dimension[low[1].value], Dimension::kCurve);
+  EXPECT_EQ(brep.dimension[low[2].value], Dimension::kCurve);
+}
+
 TEST(Brep, RenumberingFacesChangesNothingButOrder) {
   Joined j = joined(std::array{plate(), wall()});
   const Brep brep = read(j);
