@@ -54,7 +54,7 @@ class Deformer {
   static constexpr int kFixed = -1;
   static constexpr double kLeastShare = 0.05;    // of a way; less is not gone at all
   static constexpr int kMostTrials = 30;         // of shortening ways, each of which may spoil faces beside it
-  static constexpr int kMostWithOldFactor = 15;  // iterations; a new factor costs as much
+  static constexpr int kMoreWithOldFactor = 10;  // iterations than with a new one, which costs as much
   static constexpr double kSolved = 1e-7;        // of the mean edge length: error of a solution
   static constexpr double kStall = 0.5;          // of the move before: moves that fall less will not fall any more,
   static constexpr double kNear = 0.1;           // if they are within this many mean edge lengths
@@ -101,15 +101,16 @@ class Deformer {
     Eigen::MatrixX3d start(s.right.rows(), 3);
     for (std::size_t k = 0; k < free_.size(); ++k) start.row(static_cast<Eigen::Index>(k)) = row(position_[free_[k]]);
     PowerSolver::Options options{.settled = kSolved * length};
-    const int most = std::exchange(options.most_iterations, kMostWithOldFactor);
-    std::optional<Eigen::MatrixX3d> x;
-    if (solver_) x = solver_->solution(s.rows, s.right, start, options);
-    if (!x) {
+    const int most = std::exchange(options.most_iterations, with_new_factor_ + kMoreWithOldFactor);
+    std::optional<PowerSolver::Solution> solved;
+    if (solver_) solved = solver_->solution(s.rows, s.right, start, options);
+    if (!solved) {
       options.most_iterations = most;
       solver_.emplace(problem_.faces, position_, unknown_, power(blend_));
-      x = solver_->solution(s.rows, s.right, start, options);
+      solved = solver_->solution(s.rows, s.right, start, options);
+      if (solved) with_new_factor_ = solved->iterations;
     }
-    if (!x) x = direct_solution(s);
+    const auto x = solved ? std::optional(std::move(solved->x)) : direct_solution(s);
     if (!x) return std::nullopt;
     std::vector<Vec3> wanted;
     for (const auto& p : x->rowwise()) wanted.push_back({p[0], p[1], p[2]});
@@ -223,6 +224,7 @@ class Deformer {
   std::vector<std::size_t> free_;                         // ascending
   std::vector<std::array<std::uint32_t, 2>> neighbours_;  // faces
   std::optional<PowerSolver> solver_;
+  int with_new_factor_ = 0;  // iterations, the last time
 };
 
 }  // namespace

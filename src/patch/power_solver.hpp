@@ -30,13 +30,18 @@ class PowerSolver {
   PowerSolver(std::span<const std::array<std::uint32_t, 3>> faces, const std::vector<Vec3>& position,
               std::span<const int> unknown, int n);
 
+  struct Solution {
+    Eigen::MatrixX3d x;
+    int iterations = 0;  // the most of the columns
+  };
+
   /// Nothing if the operator has no factor or the iteration does not settle.
-  [[nodiscard]] std::optional<Eigen::MatrixX3d> solution(const SparseRows& rows, const Eigen::MatrixX3d& right,
-                                                         const Eigen::MatrixX3d& start, const Options& options) const;
+  [[nodiscard]] std::optional<Solution> solution(const SparseRows& rows, const Eigen::MatrixX3d& right,
+                                                 const Eigen::MatrixX3d& start, const Options& options) const;
 
  private:
-  [[nodiscard]] std::optional<Eigen::VectorXd> column(const SparseRows& rows, const Eigen::VectorXd& right,
-                                                      Eigen::VectorXd x, const Options& options) const;
+  struct Column;
+  void precondition(std::array<Eigen::VectorXd, 3>& columns) const;
 
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
 };

@@ -240,7 +240,7 @@ TEST(PowerSolver, SolvesInABoundedNumberOfIterationsHoweverWideTheHole) {
           solver.solution(s.rows, s.right, s.start, {.settled = 1e-9 * edge, .share = 0, .most_iterations = 40});
       ASSERT_TRUE(x);
       const Eigen::MatrixX3d exact = Eigen::SparseLU<Eigen::SparseMatrix<double>>(s.rows).solve(s.right);
-      EXPECT_LT((*x - exact).cwiseAbs().maxCoeff(), 1e-7 * edge);
+      EXPECT_LT((x->x - exact).cwiseAbs().maxCoeff(), 1e-7 * edge);
     }
 }
 
