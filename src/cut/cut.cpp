@@ -20,6 +20,7 @@
 #include "merge/conclude.hpp"
 #include "merge/faults.hpp"
 #include "merge/ground.hpp"
+#include "merge/segments.hpp"
 #include "merge/unsupported.hpp"
 #include "search/workpiece.hpp"
 #include "zone/ruler.hpp"
@@ -137,6 +138,14 @@ Dropped take_out(Incision& incision, const Graft& graft) {
   return dropped;
 }
 
+/// Where the cut is now. On a face that the tool touches at a small angle it is far from where it was.
+std::vector<Segment> segments_of(const Complex& complex, const Junction& cut) {
+  std::vector<Segment> segments;
+  for (const JunctionEdge& e : cut.edges)
+    segments.push_back({complex.position[e.ends[0].value], complex.position[e.ends[1].value]});
+  return segments;
+}
+
 /// Area between a curved border and its chords.
 double slack_of(const Complex& complex, const Junction& cut) {
   constexpr double kSegment = 2.0 / 3.0;  // area of a flat segment over chord x sagitta
@@ -175,7 +184,10 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   watch.start("remesh", 0.3);
   RemeshedZone zone = remesh_zone(incision->original, corefined, graft.group_sets, options.zone);
   const Junction junction = cut_edges(zone.remeshed.complex, dropped.borders);
-  if (tool->round) round_nodes(incision->original, junction, *tool->round, zone.remeshed.complex);
+  if (tool->round) {
+    round_nodes(incision->original, junction, *tool->round, zone.remeshed.complex);
+    append(dropped.borders, segments_of(zone.remeshed.complex, junction));
+  }
   dropped.slack = slack_of(zone.remeshed.complex, junction);
 
   const Components components = one_for_each_input(1);

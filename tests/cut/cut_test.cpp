@@ -427,6 +427,16 @@ constexpr double kBent = 0.01 * kSize;
 /// Random cuts leave strips too narrow for good triangles; that is said, and no matter of these laws.
 bool is_poor_quality(const Error& e) { return e.what.find("Q below") != std::string::npos; }
 
+TEST(Cut, ACylinderNearlyTangentToAWall) {
+  const Model base = rib_on_wall();
+  for (double y = 0.085; y < 0.099; y += 0.001) {
+    const auto m = cut(base, CylinderTool{{1, y, 0}, normalized({0.145, 0.117, 0.982}), 0.4}, kDropInside);
+    ASSERT_TRUE(m) << to_string(m.error());
+    for (const Error& e : m->report.broken_promises) EXPECT_TRUE(is_poor_quality(e)) << y << ": " << to_string(e);
+    EXPECT_TRUE(check(apply(base, {}, *m)).sound());
+  }
+}
+
 TEST(Cut, AreaIsKeptOrDropped) {
   EXPECT_TRUE(rc::check("area before = area after + area dropped, for planes", [] {
     const auto number = [](int low, int high) { return 0.01 * *rc::gen::inRange(low, high); };
