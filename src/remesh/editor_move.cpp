@@ -112,7 +112,7 @@ bool Editor::search_on_curve(VertexId v, Goal goal) {
 
 bool Editor::follows(CurveId curve, double from, double to, double chord) const {
   const double sagitta = reference_->sagitta(curve, from, to), slack = sizing_.slack(curve);
-  if (sagitta > kSagittaSlack * std::max(slack, RulerOptions{}.max_sagitta * chord)) return false;
+  if (sagitta > kSagittaSlack * std::max(slack, reference_->curve(curve).max_sagitta() * chord)) return false;
   // A long chord may cut off more than the outer shape of a mesh, or the place of a junction, bears.
   const double share = reference_->curve(curve).free ? kFreeSagitta : kMostSagitta;
   return sagitta <= slack || sagitta <= share * sizing_.on_curve(curve, reference_->point(curve, 0.5 * (from + to)));

@@ -102,7 +102,7 @@ class Resampler {
     const double share = (b.arc - a.arc) / sizing_.on_curve(c, editor_.reference().point(c, middle));
     return share >= kLeastKept && share <= kMostKept &&
            editor_.reference().sagitta(c, a.arc, b.arc) <=
-               std::max(sizing_.slack(c), RulerOptions{}.max_sagitta * (b.arc - a.arc));
+               std::max(sizing_.slack(c), brep_.curves[c.value].max_sagitta() * (b.arc - a.arc));
   }
 
   /// Adds where the ruler wants nodes between the first and the last knot, both excluded.
@@ -110,7 +110,7 @@ class Resampler {
     std::vector<Vec3> polyline;
     for (const Knot& k : knots) polyline.push_back(complex_.position[k.v.value]);
     RulerOptions ruler;
-    ruler.slack = sizing_.slack(c);
+    ruler.slack = sizing_.slack(c), ruler.max_sagitta = brep_.curves[c.value].max_sagitta();
     const auto arcs = resampled(
         polyline, closed, [&](double, Vec3 p) { return sizing_.on_curve(c, p); }, ruler);
     for (std::size_t k = 1; k + 1 < arcs.size(); ++k) wanted.push_back(knots.front().arc + arcs[k]);

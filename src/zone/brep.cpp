@@ -90,6 +90,7 @@ class Reader {
     Brep brep;
     make_curves(brep);
     make_sheets(brep);
+    mark_borders(brep);
     brep.dimension.assign(complex_.n_vertices(), Dimension::kSheet);
     for (std::size_t v = 0; v < complex_.n_vertices(); ++v)
       if (corner_[v])
@@ -244,6 +245,24 @@ class Reader {
       find_plane(sheet);
       brep.sheets.push_back(std::move(sheet));
     }
+  }
+
+  void mark_borders(Brep& brep) const {
+    for (Curve& curve : brep.curves) {
+      curve.border = true;
+      for (std::size_t i = 1; i < curve.chain.size() && curve.border; ++i)
+        curve.border = is_border(brep, edges_.find(curve.chain[i - 1], curve.chain[i]));
+    }
+  }
+
+  [[nodiscard]] bool is_border(const Brep& brep, EdgeId e) const {
+    const auto uses = edges_.uses(e);
+    const auto sheet = [&](std::size_t i) -> const Sheet& {
+      return brep.sheets[brep.sheet_of_face[uses[i].face.value].value];
+    };
+    if (uses.size() > 2 || !sheet(0).planar || !sheet(uses.size() - 1).planar) return false;
+    const Vec3 m = sheet(0).normal, n = sheet(uses.size() - 1).normal;
+    return std::atan2(norm(cross(m, n)), std::abs(dot(m, n))) <= options_.sharp_angle;  // however they are oriented
   }
 
   [[nodiscard]] bool is_inside(VertexId v) const { return corner_[v.value] == 0 && degree_.count[v.value] == 0; }

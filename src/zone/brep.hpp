@@ -8,6 +8,7 @@
 
 #include "core/complex.hpp"
 #include "geometry/angles.hpp"
+#include "zone/ruler.hpp"
 
 namespace meshgraft {
 
@@ -31,6 +32,13 @@ struct Curve {
   bool junction = false;  // components meet along it
   bool free = false;      // its edges have one face
   bool fixed = false;     // may not be resampled (fixed edges, frozen surroundings)
+  bool border = false;    // of a plane area, which would lose what is cut off its corners
+
+  /// Of new edges, share of their length.
+  [[nodiscard]] double max_sagitta() const {
+    constexpr double kOfBorders = 0.03;  // rings of 12 to 30 sides keep their area within the 2 % of the ledger
+    return border ? kOfBorders : RulerOptions{}.max_sagitta;
+  }
 };
 
 /// A maximal piece of manifold surface between curves: one group set, one set of attributes.

@@ -179,7 +179,7 @@ class Builder {
     if (!curve.junction || curve.free) return 0;
     double least = std::numeric_limits<double>::infinity();
     for (const VertexId v : curve.chain) least = std::min(least, data_.plain_on_curve(c, complex_.position[v.value]));
-    return data_.options.junction_slack * least;
+    return (curve.border ? data_.options.border_slack : data_.options.junction_slack) * least;
   }
 
   /// Curves that the input divides more finely than their sheets, or that are short between corners.
@@ -213,7 +213,7 @@ class Builder {
       const Curve& curve = brep_.curves[c];
       const std::vector<Vec3> p = points(curve);
       if (curve.fixed || total_turn(p) < kStraight) continue;
-      ruler.slack = data_.slack[c];
+      ruler.slack = data_.slack[c], ruler.max_sagitta = curve.max_sagitta();
       const auto size = [&](double, Vec3 at) { return data_.on_curve(CurveId(c), at); };
       const std::vector<double> arc = arc_lengths(p), nodes = resampled(p, curve.closed, size, ruler);
       for (std::size_t i = 1; i < nodes.size(); ++i) {

@@ -27,8 +27,9 @@ struct SizeOptions {
   /// How far the new edges of a junction may stand off it, share of the edge length there: the facets of curved
   /// surfaces that meet at a small angle leave a zigzag, and its short pieces are no detail of the model.
   double junction_slack = 0.05;
-  double stretched = 0.9;     // a sheet wants at least this share of the mean edge length of its faces
-  double max_height = 0.065;  // of a node of the input over a new face: share of the edge length there
+  double border_slack = 0.03;  // the same of borders of plane areas
+  double stretched = 0.9;      // a sheet wants at least this share of the mean edge length of its faces
+  double max_height = 0.065;   // of a node of the input over a new face: share of the edge length there
 };
 
 /// The size at a place is, in this order:

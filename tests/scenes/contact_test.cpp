@@ -370,8 +370,8 @@ TEST(FusedContact, NodeGroupsOfThreeMeshesCoverTheirFacesStill) {
   EXPECT_GT(n_asked, 300u);
 }
 
-/// Two plates with walls around a common hole, which one divides into 6 and the other into 10. Facets of a round wall
-/// are turned from row to row, so that they lean over those of the other wall.
+/// Two plates with walls around a common hole, which one divides into 6 and the other into 10, or both into 16. Facets
+/// of a round wall are turned from row to row, so that they lean over those of the other wall.
 TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
   const auto flange = [](std::size_t n, double side, double outer, double turned) {
     const double half = std::numbers::pi / static_cast<double>(n);
@@ -385,9 +385,12 @@ TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
     const std::array<Model, 2> both{scenes::surface(plate), scenes::surface(wall)};
     return scenes::welded(scenes::together(both));
   };
-  const Model base = flange(6, -1, 20, 0);
-  for (const double turned : {0.1, 0.5, 0.627}) {
-    const Model part = flange(10, 1, 14, turned);
+  struct Case {
+    std::size_t of_base, of_part;
+    double turned;
+  };
+  for (const Case c : {Case{6, 10, 0.1}, Case{6, 10, 0.5}, Case{6, 10, 0.627}, Case{16, 16, 0}, Case{16, 16, 0.3}}) {
+    const Model base = flange(c.of_base, -1, 20, 0), part = flange(c.of_part, 1, 14, c.turned);
     for (const double tolerance : {0.01, 0.1}) {
       MergeOptions options;
       options.tolerance = {tolerance, true}, options.min_quality = 0.2;
@@ -397,6 +400,44 @@ TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
       EXPECT_FALSE(merged->report.overlaps.empty());
     }
   }
+}
+
+/// Plane, around the z axis.
+Model ring(double inner, double outer, std::size_t around, std::size_t across, const std::string& group) {
+  const auto at = [=](double u, double v) {
+    const double a = 2 * std::numbers::pi * u, r = std::lerp(inner, outer, v);
+    return Vec3{r * std::cos(a), r * std::sin(a), 0};
+  };
+  return scenes::surface({at, around, across, true, false, 0, 1, group});
+}
+
+void expect_area_kept(const Model& base, const Model& part, const std::string& group) {
+  MergeOptions options;
+  options.min_quality = 0.2;
+  const auto merged = merge(base, std::span(&part, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  const double before = scenes::area_by_group(part).at(group);
+  EXPECT_NEAR(scenes::area_by_group(apply(base, std::span(&part, 1), *merged)).at(group), before, 0.02 * before);
+}
+
+/// Corners of few degrees, which are no sharp turns: nodes slid off them, or passed over them.
+TEST(FusedContact, ARoundPadOfFewSidesKeepsItsArea) {
+  for (const std::size_t around : {12u, 14u, 24u, 30u})
+    for (const double size : {5.0, 11.0}) {
+      const Model plate = scenes::plate({-25.3, -24.8, 0}, {50, 0, 0}, {0, 50, 0}, size, "PLATE");
+      SCOPED_TRACE(testing::Message() << around << " around, on edges of " << size);
+      expect_area_kept(plate, ring(8.4, 14, around, 2, "PAD"), "PAD");
+    }
+}
+
+TEST(FusedContact, ANarrowFlangeOfFewSidesKeepsItsAreaBesideTheJunction) {
+  const Model pipe = scenes::surface({[](double u, double v) {
+                                        const double a = 2 * std::numbers::pi * u;
+                                        return Vec3{5 * std::cos(a), 5 * std::sin(a), 20 * v - 9.7};
+                                      },
+                                      20, 6, true, false, 0, 1, "PIPE"});
+  expect_area_kept(pipe, ring(5, 7.5, 20, 1, "FLANGE"), "FLANGE");
 }
 
 /// A lap narrower than what is snapped, alone or as the end of a wider one, is one all the same.
