@@ -53,8 +53,7 @@ struct MergeOptions {
   double contact_angle = 20.0 / 180.0 * std::numbers::pi;
   /// Gap or penetration that is closed where a free edge ends on another mesh.
   Tolerance tolerance;
-  /// Loose ends of parts that stick out beyond the junction by less than this, in file units, are
-  /// dropped; by default none.
+  /// Loose ends of parts that are shorter than this from the junction on, in file units, are dropped; by default none.
   std::optional<double> trim;
   /// Edge length along the junction, in file units; by default l_a of paper 5.3.
   std::optional<double> size;

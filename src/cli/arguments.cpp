@@ -56,7 +56,7 @@ class MergeCommand : public CommandReader<MergeArguments> {
     add_blend_option(a_, "; with --method paper");
     a_.value("--angle", "DEG", "faces that meet at less than this lie on each other; degrees [default: 20]");
     a_.value("--trim", "beyond=LEN|none",
-             "loose ends of parts that stick out beyond the junction by less than LEN are dropped; file units "
+             "loose ends of parts that are less than LEN long from the junction on are dropped; file units "
              "[default: none]");
     add_zone_options(a_,
                      "gap or penetration that is closed; a length in file units, or a share of the local edge length "
