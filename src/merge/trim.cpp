@@ -172,6 +172,32 @@ class Trimmer {
   std::vector<std::uint32_t> only_;                             // by vertex: the piece it is in, if there is only one
 };
 
+/// How near points are to what a component is to be joined with. The tree is made when it is first asked.
+class Neighbours {
+ public:
+  explicit Neighbours(const Complex& complex) : complex_(complex) {}
+
+  [[nodiscard]] bool are_within(double length, Vec3 p, std::uint32_t component) {
+    if (tree_.empty()) tree_ = tree_of(complex_);
+    const auto squared_distance = [&](std::uint32_t f) {
+      if (!complex_.joins.are_joined(complex_.component[f], component)) return std::numeric_limits<double>::infinity();
+      return squared_norm(p - closest_on_triangle(p, complex_.corners(FaceId(std::size_t{f}))).point);
+    };
+    return tree_.nearest(p, squared_distance, length * length).found();
+  }
+
+ private:
+  static BoxTree tree_of(const Complex& complex) {
+    std::vector<Box> boxes(complex.n_faces());
+    for (std::size_t f = 0; f < boxes.size(); ++f)
+      for (const Vec3 p : complex.corners(FaceId(f))) boxes[f].add(p);
+    return BoxTree(boxes);
+  }
+
+  const Complex& complex_;
+  BoxTree tree_;
+};
+
 }  // namespace
 
 std::vector<DroppedEntry> trim(const Complex& original, Corefined& corefined, double length, const Graft& graft,
@@ -188,24 +214,10 @@ std::vector<DroppedEntry> trim(const Complex& original, Corefined& corefined, do
   return entries;
 }
 
-namespace {
-
-/// From the tip of a loose end to the nearest face of what it is to be joined with.
-double depth(const Complex& complex, const LooseEnd& end) {
-  const std::uint32_t own = complex.component[end.faces.front().value];
-  const Vec3 tip = complex.position[end.tip.value];
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (complex.joins.are_joined(complex.component[f], own))
-      least = std::min(least, distance(tip, closest_on_triangle(tip, complex.corners(FaceId(f))).point));
-  return least;
-}
-
-}  // namespace
-
 std::vector<Warning> loose_end_warnings(const Outcome& outcome, const Tolerance& tolerance) {
   const Inputs inputs = outcome.inputs;
   const Complex& complex = outcome.corefined.complex;
+  Neighbours neighbours(complex);
   const auto is_short = [&](const LooseEnd& end) {
     if (!end.tip.valid()) return false;
     double allowed = 0;
@@ -213,7 +225,8 @@ std::vector<Warning> loose_end_warnings(const Outcome& outcome, const Tolerance&
       const ElementRef parent = complex.parent[f.value];
       allowed = std::max(allowed, tolerance.at(mean_edge_length(inputs[parent.input]->corners(parent.element))));
     }
-    return end.length <= kLongestWay * allowed && depth(complex, end) <= allowed;
+    return end.length <= kLongestWay * allowed &&
+           neighbours.are_within(allowed, complex.position[end.tip.value], complex.component[end.faces.front().value]);
   };
   std::map<std::uint32_t, std::vector<LooseEnd>> of_input;
   for (LooseEnd& end : Trimmer(outcome.original, outcome.corefined, is_short).loose_ends())
