@@ -11,10 +11,10 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kRounds = 6;      // sweeps over the poor faces
-constexpr double kMany = 0.05;  // share of the faces of the zone: if more are poor, the wish is a high one,
-constexpr double kLeastProgress =
-    0.02;  // and a sweep that lowers what they lack together by a lesser share is the last
+constexpr int kRounds = 6;  // sweeps over the poor faces
+/// If more than this share of the faces of the zone are poor, the wish is a high one; then a sweep that lowers by less
+/// than this share what they lack together is the last.
+constexpr double kMany = 0.05, kLeastProgress = 0.02;
 constexpr double kDeviationWeight = 1.5;  // of the deviation beyond what is allowed, in the cost
 constexpr double kLeastGain = 0.01;       // absolute, of the cost; below it a change is not worth making
 constexpr int kEvenGain = 2;    // of a flip: excess at its ends less that opposite; this keeps the sum of squares
