@@ -6,6 +6,7 @@
 #include "merge/creases.hpp"
 #include "merge/faults.hpp"
 #include "merge/fidelity.hpp"
+#include "merge/fine_zone.hpp"
 #include "merge/labels.hpp"
 #include "merge/ledger.hpp"
 #include "merge/loose_pieces.hpp"
@@ -61,6 +62,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   append(report.warnings, half_reached_warnings(outcome.inputs, outcome.corefined.half_reached));
   append(report.warnings, joined_seam_warnings(outcome.inputs, outcome.corefined.joined_seams));
   append(report.warnings, loose_piece_warnings(outcome));
+  if (!options.size && !outcome.fills) append(report.warnings, fine_zone_warnings(outcome));
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;

@@ -40,6 +40,7 @@ class Contact : public testing::TestWithParam<std::size_t> {
     EXPECT_TRUE(merged_.report.broken_promises.empty()) << scenes::first_problem(merged_.report);
     EXPECT_FALSE(merged_.report.junction.empty());
     EXPECT_GE(merged_.report.quality.min, scene.min_q);
+    EXPECT_EQ(std::ranges::count(merged_.report.warnings, "fine-zone", &Warning::name), 0);
     result_ = apply(scene.base, scene.parts, merged_);
     before_ = scenes::area_by_group(scene.base);
     area_before_ = whole_area(scene.base);
@@ -457,6 +458,26 @@ TEST(FusedContact, NarrowLapsAreJoined) {
     EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
     for (const Warning& warning : merged->report.warnings) EXPECT_NE(warning.name, "partly-in-reach") << warning.what;
   }
+}
+
+/// A lap of 2 % of the edges is followed with triangles as small; the tolerance that is advised leaves it out.
+TEST(FusedContact, ALapThatMakesTheZoneMuchFinerIsToldWithTheToleranceThatLeavesItOut) {
+  constexpr double kSize = 0.1, kLap = 0.002;
+  const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, kSize, "PLATE");
+  const Model part = scenes::plate({1 - kLap, 0, 0}, {0.8, 0, 0}, {0, 1, 0}, kSize, "PART");
+  const auto told = [](const Merged& m) { return std::ranges::find(m.report.warnings, "fine-zone", &Warning::name); };
+  MergeOptions options;
+  const auto fine = merge(plate, std::span(&part, 1), options);
+  ASSERT_TRUE(fine.has_value()) << to_string(fine.error());
+  ASSERT_NE(told(*fine), fine->report.warnings.end());
+  const std::string &what = told(*fine)->what, before = "--tolerance of ";
+  ASSERT_NE(what.find(before), std::string::npos) << what;
+  options.tolerance = {std::stod(what.substr(what.find(before) + before.size())), false};
+  EXPECT_LT(options.tolerance.value, 3 * kLap);
+  const auto coarse = merge(plate, std::span(&part, 1), options);
+  ASSERT_TRUE(coarse.has_value()) << to_string(coarse.error());
+  EXPECT_TRUE(coarse->report.broken_promises.empty()) << scenes::first_problem(coarse->report);
+  EXPECT_EQ(told(*coarse), coarse->report.warnings.end());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Contact, testing::Range(std::size_t{0}, all_scenes().size()), [](const auto& scene) {
