@@ -1,9 +1,12 @@
 // meshgraft_study: decks for CalculiX, and the tables of the study.
+#include <tbb/parallel_for.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <iostream>
+#include <optional>
+#include <utility>
 
 #include "calculix.hpp"
 #include "meshgraft/unv.hpp"
@@ -22,6 +25,7 @@ struct Meshes {
 struct Options {
   std::string study, model, output;
   Meshes shell, calculix;
+  std::vector<std::string> finer;  // than those of `shell`, for the table of convergence
 };
 
 Result<Structure> read_structure(const std::string& path, const Study& study) {
@@ -75,43 +79,46 @@ Result<void> write_tables(const std::filesystem::path& name, const Tables& table
   return written ? write(name.string() + ".unmet.md", list) : written;
 }
 
-/// All cases, solved side by side.
-Result<std::vector<Case>> solved(const Meshes& meshes, const Study& study, Solver solver) {
-  std::vector<std::future<Result<Case>>> work;
-  const auto start = [&](const std::vector<std::string>& files, Role role) {
-    for (const std::string& file : files)
-      work.push_back(std::async(std::launch::async, [&, file, role] { return solved(file, role, study, solver); }));
-  };
-  start({meshes.refined}, Role::kRefined);
-  start(meshes.cad, Role::kCad);
-  start(meshes.merged, Role::kMerged);
-  std::vector<Result<Case>> results;
-  for (auto& w : work) results.push_back(w.get());
+/// A case of each of these files, solved side by side, as many at once as there are cores.
+Result<std::vector<Case>> solved(const std::vector<std::pair<std::string, Role>>& files, const Study& study,
+                                 Solver solver) {
+  std::vector<std::optional<Result<Case>>> results(files.size());
+  tbb::parallel_for(
+      std::size_t{0}, files.size(),
+      [&](std::size_t i) { results[i] = solved(files[i].first, files[i].second, study, solver); },
+      tbb::simple_partitioner());
   std::vector<Case> cases;
-  for (Result<Case>& one : results) {
-    if (!one) return Failure(one.error());
-    cases.push_back(std::move(*one));
+  for (std::optional<Result<Case>>& one : results) {
+    if (!*one) return Failure(one->error());
+    cases.push_back(std::move(**one));
   }
   return cases;
+}
+
+std::vector<std::pair<std::string, Role>> files_of(const Meshes& meshes) {
+  std::vector<std::pair<std::string, Role>> files{{meshes.refined, Role::kRefined}};
+  for (const std::string& file : meshes.cad) files.emplace_back(file, Role::kCad);
+  for (const std::string& file : meshes.merged) files.emplace_back(file, Role::kMerged);
+  return files;
 }
 
 int write_all_tables(const Options& options) {
   const auto study = read_study(options.study);
   if (!study) return failed(study.error());
-  struct Run {
-    Solver solver;
-    const Meshes& meshes;
-    const char* name;
-  };
-  for (const Run& run :
-       {Run{Solver::kCalculix, options.calculix, "calculix"}, Run{Solver::kShell, options.shell, "shell"}}) {
-    const auto cases = solved(run.meshes, *study, run.solver);
-    if (!cases) return failed(cases.error());
-    const auto written =
-        write_tables(std::filesystem::path(options.output) / run.name, tables_of(*cases, *study, run.meshes.size));
-    if (!written) return failed(written.error());
-  }
-  return 0;
+  const std::filesystem::path folder(options.output);
+  const auto calculix = solved(files_of(options.calculix), *study, Solver::kCalculix);
+  if (!calculix) return failed(calculix.error());
+  const auto shell = solved(files_of(options.shell), *study, Solver::kShell);
+  if (!shell) return failed(shell.error());
+  std::vector<std::pair<std::string, Role>> files;
+  for (const std::string& file : options.finer) files.emplace_back(file, Role::kMerged);
+  const auto finer = solved(files, *study, Solver::kShell);
+  if (!finer) return failed(finer.error());
+
+  auto written = write_tables(folder / "calculix", tables_of(*calculix, *study, options.calculix.size));
+  if (written) written = write_tables(folder / "shell", tables_of(*shell, *study, options.shell.size));
+  if (written) written = write(folder / "convergence.md", convergence_of(*shell, *finer, *study));
+  return written ? 0 : failed(written.error());
 }
 
 /// Options --refined, --cad, --merged and --size, each with a prefix.
@@ -135,11 +142,13 @@ int main(int argc, char** argv) {
   deck->add_option("STUDY", options.study, "what the groups mean (JSON)")->required();
   deck->add_option("MODEL", options.model, "a universal file")->required();
   deck->add_option("-o,--output", options.output, "the input file")->required();
-  CLI::App* tables = app.add_subcommand(
-      "tables", "writes the results side by side, by the shell triangle (shell.md) and by CalculiX (calculix.md)");
+  CLI::App* tables = app.add_subcommand("tables",
+                                        "writes the results side by side, by the shell triangle (shell.md, "
+                                        "convergence.md) and by CalculiX (calculix.md)");
   tables->add_option("STUDY", options.study, "what the groups mean (JSON)")->required();
   add_meshes(*tables, "--", options.shell, "to be solved with the shell triangle of the study");
   add_meshes(*tables, "--calculix-", options.calculix, "with results of CalculiX beside them");
+  tables->add_option("--finer", options.finer, "finer meshes, from CAD and merged: how the shell triangle converges");
   tables->add_option("-o,--output", options.output, "folder for the tables")->required();
   CLI11_PARSE(app, argc, argv);
   return deck->parsed() ? write_deck_of(options) : write_all_tables(options);

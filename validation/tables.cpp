@@ -209,4 +209,19 @@ Tables tables_of(const std::vector<Case>& cases, const Study& study, double marg
   return Writer(cases, study, margin).write();
 }
 
+std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& finer, const Study& study) {
+  const Case& refined = *std::ranges::find(cases, Role::kRefined, &Case::role);
+  std::string text;
+  add_heading(text, {"mesh", "faces", "mode 1", "worst", "mean"});
+  const auto add = [&](const Case& c) {
+    const Agreement a = agreement(refined, c, study.n_modes);
+    add_row(text, {c.name, fmt::format("{}", c.structure.faces.size()), fmt::format("{:+.2f} %", 100 * a.error.front()),
+                   fmt::format("{:.2f} %", 100 * a.worst), fmt::format("{:.2f} %", 100 * a.mean)});
+  };
+  for (const Case& c : cases)
+    if (&c != &refined) add(c);
+  for (const Case& c : finer) add(c);
+  return text;
+}
+
 }  // namespace meshgraft::validation

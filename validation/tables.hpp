@@ -31,4 +31,11 @@ struct Tables {
 ///   margin   faces nearer than this to lines where stresses are singular are left out of the stresses; mm
 [[nodiscard]] Tables tables_of(const std::vector<Case>& cases, const Study& study, double margin);
 
+/// How far the frequencies of meshes of several edge lengths are from those of the refined one: a row for each mesh of
+/// `cases` but that one, then for each of `finer`.
+///
+/// REQUIRES: exactly one of `cases` is kRefined.
+[[nodiscard]] std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& finer,
+                                         const Study& study);
+
 }  // namespace meshgraft::validation

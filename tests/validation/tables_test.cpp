@@ -87,5 +87,17 @@ TEST_F(TheTables, MissAStressOutsideTheSpreadOfThoseFromCad) {
   EXPECT_NE(unmet()[1].find("largest stress of PLATE"), std::string::npos);
 }
 
+TEST_F(TheTables, HaveARowOfConvergenceForEachMeshButTheRefinedOne) {
+  const std::string rows =
+      convergence_of({cases_[0], cases_[3]}, {plate("finer", Role::kMerged, 0.05, 0.001, 1)}, study_);
+  const std::string faces = std::to_string(cases_[3].structure.faces.size());
+  const auto merged = rows.find("| merged | " + faces + " | +0.30 % | 0.30 % | 0.30 % |\n");
+  const auto finer = rows.find("| +0.10 % | 0.10 % | 0.10 % |\n");
+  ASSERT_NE(merged, std::string::npos);
+  ASSERT_NE(finer, std::string::npos);
+  EXPECT_LT(merged, finer);
+  EXPECT_EQ(rows.find("refined"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace meshgraft::validation
