@@ -99,6 +99,7 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
   if (!corefined) {
     Error error = to_error(with_tool, corefined.error());
     if (error.code == ErrorCode::kOverlap) error.hint = "the tool lies on faces of the base there; move it off them";
+    if (error.code == ErrorCode::kJunctionNotResolved) error.hint = hint_for_place(OperationKind::kCut);
     return Failure(std::move(error));
   }
   out.warnings = leave_grazed(base, component, options.zone.tolerance, *corefined);
@@ -191,8 +192,9 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   dropped.slack = slack_of(zone.remeshed.complex, junction);
 
   const Components components = one_for_each_input(1);
-  const Operation operation{inputs, components, incision->original, corefined,
-                            zone,   dropped,    ground.translated,  options.zone};
+  Operation operation{inputs, components, incision->original, corefined,
+                      zone,   dropped,    ground.translated,  options.zone};
+  operation.kind = OperationKind::kCut;
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   report.junction = polylines_of(zone.remeshed.complex, junction, components);
   for (PolylineSummary& line : report.junction) line.kind = "cut";

@@ -219,7 +219,7 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   corefined.touched.assign(corefined.complex.n_faces(), 0);
   const Dropped dropped = account(around, holes, zone.remeshed.complex, graft.groups.size(), graft.group_sets);
   Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
-  operation.fills = true;
+  operation.kind = OperationKind::kFill;
   if (const auto ok = conclude(operation, watch, made.merged); !ok) return Failure(ok.error());
   const auto unfollowed = without_edge(std::move(coarse->unfollowed), base, zone.remeshed.complex, around.n_faces());
   append(report.warnings, warnings_about(unfollowed, base));

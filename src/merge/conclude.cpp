@@ -62,7 +62,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   append(report.warnings, half_reached_warnings(outcome.inputs, outcome.corefined.half_reached));
   append(report.warnings, joined_seam_warnings(outcome.inputs, outcome.corefined.joined_seams));
   append(report.warnings, loose_piece_warnings(outcome));
-  if (!options.size && !outcome.fills) append(report.warnings, fine_zone_warnings(outcome));
+  if (!options.size && outcome.kind != OperationKind::kFill) append(report.warnings, fine_zone_warnings(outcome));
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;
@@ -92,7 +92,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
 }  // namespace
 
 Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged) {
-  const auto& [inputs, components, original, corefined, zone, dropped, translated, options, fills] = operation;
+  const auto& [inputs, components, original, corefined, zone, dropped, translated, options, kind] = operation;
   Report& report = merged.report;
   Graft& graft = merged.graft;
   report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
@@ -114,7 +114,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   watch.start("check", 0.9);
   Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
                   graft,  merged.labels, dropped,  all_layers};
-  outcome.fills = fills;
+  outcome.kind = kind;
   tell(zone.unfilled, report);
   judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
   report.overlaps = overlap_entries(inputs, components, corefined, zone.remeshed.complex, all_layers);

@@ -5,6 +5,7 @@
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
 #include "merge/inputs.hpp"
+#include "merge/operation_kind.hpp"
 #include "merge/remesh_zone.hpp"
 #include "merge/stopwatch.hpp"
 #include "meshgraft/merge.hpp"
@@ -21,7 +22,7 @@ struct Operation {
   const Dropped& dropped;
   SetTranslation& translated;
   const MergeOptions& options;
-  bool fills = false;  // new faces replace nothing: they are in the groups that all faces around share
+  OperationKind kind = OperationKind::kMerge;
 };
 
 /// Stitches, gives labels, checks, and completes the report with all that is told by these; `merged`

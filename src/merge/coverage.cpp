@@ -29,7 +29,7 @@ class Coverage {
   }
 
   CoverageVerdict run() {
-    if (outcome_.fills) return {};  // there was nothing
+    if (outcome_.kind == OperationKind::kFill) return {};  // there was nothing
     look_from_removed();
     look_from_new();
     return std::move(verdict_);
@@ -162,9 +162,9 @@ class Coverage {
         return patch != was.end() && patch->second.is_within(centroid(after_.corners(f)), allowed(length));
       };
       if (std::ranges::all_of(keys_after(f), was_there)) continue;
-      verdict_.broken.push_back(
-          {ErrorCode::kPromiseBroken, outcome_.text(f) + " is not where the input has its groups and properties",
-           "look at the place in both inputs, and try another --size or --bandwidth", outcome_.parent_place(f)});
+      verdict_.broken.push_back({ErrorCode::kPromiseBroken,
+                                 outcome_.text(f) + " is not where the input has its groups and properties",
+                                 hint_for_place(outcome_.kind), outcome_.parent_place(f)});
       return;
     }
   }

@@ -18,7 +18,7 @@ class Creases {
       : outcome_(outcome), complex_(outcome.final_complex), limits_(limits) {}
 
   std::vector<Warning> warnings() {
-    if (outcome_.fills) return {};
+    if (outcome_.kind == OperationKind::kFill) return {};
     find_folds();
     if (folds_.empty()) return {};
     const Segments features(features_before());

@@ -23,7 +23,7 @@ class NearMisses {
       : outcome_(outcome), complex_(outcome.final_complex), limits_(limits) {}
 
   std::vector<Warning> warnings() {
-    if (outcome_.fills) return {};
+    if (outcome_.kind == OperationKind::kFill) return {};
     find_edges();
     find_faces();
     for (std::size_t first = 0; first < near_.size();) {

@@ -10,6 +10,7 @@
 #include "merge/dropped.hpp"
 #include "merge/group_table.hpp"
 #include "merge/node_places.hpp"
+#include "merge/operation_kind.hpp"
 #include "merge/stitch.hpp"
 #include "meshgraft/graft.hpp"
 
@@ -31,7 +32,7 @@ struct Outcome {
   const Labels& labels;
   const Dropped& dropped;
   bool all_layers = false;  // of faces stay, on the same nodes, where inputs lie on each other
-  bool fills = false;       // new faces are in some of the groups of their parents, not in all
+  OperationKind kind = OperationKind::kMerge;
   /// By vertex of the final complex: 1 where a face changed or was removed. Whatever changed has all
   /// its corners marked.
   std::vector<std::uint8_t> changed_vertex = changed_vertices(inputs, final_complex, stitched, graft);

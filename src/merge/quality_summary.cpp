@@ -43,11 +43,14 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
   return text;
 }
 
-const char* hint_for(const BadFace* bad, bool fills) {
+const char* hint_for(const BadFace* bad, OperationKind kind) {
   using enum Cause::Kind;
-  if (fills) return "give another --size, a smaller --min-quality, or --allow-poor";
+  if (kind == OperationKind::kFill) return "give another --size, a smaller --min-quality, or --allow-poor";
   const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
                                                 bad->cause.kind == kInputDetail);
+  if (between_lines && kind == OperationKind::kCut)
+    return "where the tool is meant to run along a line, give a larger --tolerance, or move it; else another --size or "
+           "--bandwidth, a smaller --min-quality, or --allow-poor";
   if (between_lines)
     return "where two lines are meant to be one, give a larger --tolerance, or --trim beyond=LENGTH for what sticks "
            "out; "
@@ -93,7 +96,7 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
   }
   if (!avoidable.empty())
     verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
-                              hint_for(causes.find(avoidable.front().face), outcome.fills),
+                              hint_for(causes.find(avoidable.front().face), outcome.kind),
                               outcome.parent_place(avoidable.front().face)});
   if (!unavoidable.empty())
     verdict.warnings.push_back({"poor-face", finding(outcome, unavoidable, causes, min_quality),

@@ -19,8 +19,6 @@ namespace meshgraft {
 namespace {
 
 constexpr double kMetReach = 0.1;  // of the edge length: as far as new faces may be from the old
-constexpr const char* kHint = "look at the place in both inputs, and try another --tolerance, --size or --bandwidth";
-constexpr const char* kFillHint = "look at the place in the input, and try another --size or --blend";
 
 /// Findings of one kind; beyond a number of them they are only counted.
 class Findings {
@@ -78,7 +76,7 @@ class ResultCheck {
  private:
   using ParentPair = std::array<ElementRef, 2>;
 
-  [[nodiscard]] Findings no_findings() const { return {limits_.max_listed, outcome_.fills ? kFillHint : kHint}; }
+  [[nodiscard]] Findings no_findings() const { return {limits_.max_listed, hint_for_place(outcome_.kind)}; }
 
   static ParentPair parents_of(const Complex& complex, const std::array<FaceId, 2>& pair) {
     const ElementRef a = complex.parent[pair[0].value], b = complex.parent[pair[1].value];
@@ -179,7 +177,7 @@ class ResultCheck {
     leave_out_seams(pairs);
     if (pairs.empty()) return {};
     // Faces that fill a hole replace nothing: what the faces around met before is no excuse for them.
-    const MetBefore met_before = outcome_.fills ? MetBefore() : MetBefore(outcome_.original);
+    const MetBefore met_before = outcome_.kind == OperationKind::kFill ? MetBefore() : MetBefore(outcome_.original);
     Findings findings = no_findings();
     std::vector<std::array<FaceId, 2>> met;
     for (const auto& pair : pairs)
@@ -334,7 +332,8 @@ class ResultCheck {
       if (!outcome_.is_changed(f)) continue;
       const ElementRef parent = complex_.parent[k];
       const Model& model = *outcome_.inputs[parent.input];
-      const bool replaces = !outcome_.fills;  // a cap may be turned any way against the faces around
+      const bool replaces =
+          outcome_.kind != OperationKind::kFill;  // a cap may be turned any way against the faces around
       if (replaces && dot(area_vector(complex_.corners(f)), area_vector(model.corners(parent.element))) <= 0)
         turned.add(outcome_.text(f) + " is turned against " + text_of(outcome_.inputs, parent) + ", which it replaces",
                    outcome_.parent_place(f));
@@ -343,7 +342,7 @@ class ResultCheck {
         for (const Complex::Layer& layer : complex_.layers_of(f))
           wanted = translated_.unite(wanted, translated_.of(layer.parent));
       const GroupSetId has = complex_.face_groups[k];
-      if (outcome_.fills ? translated_.unite(wanted, has) != wanted : has != wanted)
+      if (outcome_.kind == OperationKind::kFill ? translated_.unite(wanted, has) != wanted : has != wanted)
         groups.add(
             outcome_.text(f) + " is not in the groups of " + text_of(outcome_.inputs, parent) + ", which it replaces",
             outcome_.parent_place(f));

@@ -427,6 +427,15 @@ constexpr double kBent = 0.01 * kSize;
 /// Random cuts leave strips too narrow for good triangles; that is said, and no matter of these laws.
 bool is_poor_quality(const Error& e) { return e.what.find("Q below") != std::string::npos; }
 
+TEST(Cut, AdviceIsAboutTheTool) {
+  CutOptions options = kDropInside;
+  options.zone.min_quality = 0.9;
+  const auto m = cut(plate(), BoxTool{{0.73, 0.02, -0.2}, {1.21, 0.66, 0.2}}, options);
+  ASSERT_TRUE(m) << to_string(m.error());
+  ASSERT_FALSE(m->report.broken_promises.empty());
+  for (const Error& e : m->report.broken_promises) EXPECT_EQ(e.hint.find("trim"), std::string::npos) << e.hint;
+}
+
 TEST(Cut, ACylinderNearlyTangentToAWall) {
   const Model base = rib_on_wall();
   for (double y = 0.085; y < 0.099; y += 0.001) {
