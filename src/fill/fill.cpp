@@ -201,7 +201,7 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   }
 
   watch.start("remesh", 0.3);  // paper 5.6
-  const Sizing sizing = rim_sizing(around, holes, options.zone.size);
+  const Sizing sizing = rim_sizing(around, holes, coarse->beams, options.zone.size);
   RemeshedZone zone;
   Shaped filling = shaped(*coarse, sizing, graft.group_sets, options.zone);
   if (filling.blended.left > kNoticed)

@@ -1,6 +1,8 @@
 #include "fill/patched.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -13,6 +15,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kSideMisfit = 1.2;   // of the size at a side to its length: beyond that faces beside it are poor
 constexpr double kFlatHeight = 1e-9;  // of the length of a rim: what it may leave its plane by if it is planar
 
 double side_length(const Complex& c, const Rim& rim, std::size_t k) {
@@ -189,30 +192,42 @@ tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const 
   return p;
 }
 
-Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size) {
-  if (size) return {[s = *size](SheetId, Vec3) { return s; }, [s = *size](CurveId, Vec3) { return s; }};
+Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, const std::set<NodePair>& beams,
+                  std::optional<double> size) {
   struct Sample {
     Vec3 at;
-    double size;
+    double length;
   };
-  std::vector<Sample> samples;
+  std::vector<Sample> behind, sides;  // faces behind the rims; sides of rims and beams, which stay as they are
   const VertexFaces faces_at(around);
   for (const Hole& hole : holes)
     for (const Rim& rim : hole)
-      for (const VertexId v : rim.vertices) {
+      for (std::size_t k = 0, n = rim.vertices.size(); k < n; ++k) {
+        const VertexId v = rim.vertices[k];
         double sum = 0;
         for (const FaceId f : faces_at[v]) sum += mean_edge_length(around.corners(f));
-        samples.push_back({around.position[v.value], sum / static_cast<double>(faces_at[v].size())});
+        const Vec3 at = around.position[v.value];
+        behind.push_back({at, sum / static_cast<double>(faces_at[v].size())});
+        sides.push_back({at, 0.5 * (side_length(around, rim, k) + side_length(around, rim, (k + n - 1) % n))});
       }
-  const auto mean = [samples = std::move(samples)](Vec3 p) {
-    double sum = 0, weight = 0;
-    for (const Sample& s : samples) {
-      const double w = 1 / std::max(squared_norm(p - s.at), 1e-12 * s.size * s.size);
-      sum += w * s.size, weight += w;
+  for (const Complex::Line& line : around.lines) {
+    if (!beams.contains(nodes_of(around, line.ends[0], line.ends[1]))) continue;
+    const Vec3 a = around.position[line.ends[0].value], b = around.position[line.ends[1].value];
+    for (const Vec3 at : {a, b}) sides.push_back({at, distance(a, b)});
+  }
+  const auto graded = [behind = std::move(behind), sides = std::move(sides), size](Vec3 p) {
+    double sum = 0, weight = 0, least = 0, most = std::numeric_limits<double>::infinity();
+    for (const Sample& s : behind) {
+      const double w = 1 / std::max(squared_norm(p - s.at), 1e-12 * s.length * s.length);
+      sum += w * s.length, weight += w;
     }
-    return sum / weight;
+    for (const Sample& s : sides) {
+      const double change = SizeOptions{}.gradation * distance(p, s.at);
+      least = std::max(least, s.length / kSideMisfit - change), most = std::min(most, s.length * kSideMisfit + change);
+    }
+    return std::min(most, std::max(least, size.value_or(sum / weight)));
   };
-  return {[mean](SheetId, Vec3 p) { return mean(p); }, [mean](CurveId, Vec3 p) { return mean(p); }};
+  return {[graded](SheetId, Vec3 p) { return graded(p); }, [graded](CurveId, Vec3 p) { return graded(p); }};
 }
 
 }  // namespace meshgraft

@@ -67,7 +67,9 @@ struct NotClosed {
 [[nodiscard]] tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes,
                                                        const LeftOut& left_out, GroupSets& groups);
 
-/// Edge lengths of a patch: those of the faces around its rims, the near ones counting most; or `size`.
-[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, std::optional<double> size);
+/// Edge lengths of a patch: those of the faces around its rims, the near ones counting most, or `size`; graded from the
+/// sides of the rims and the beams that are followed, which stay as they are.
+[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, const std::set<NodePair>& beams,
+                                std::optional<double> size);
 
 }  // namespace meshgraft

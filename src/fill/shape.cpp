@@ -121,6 +121,7 @@ class Shaper {
       : sizing_(sizing), groups_(groups), options_(options) {
     remesh_options_.min_quality = options.min_quality;
     remesh_options_.edge_samples = 1;  // the surface is to be blended once more
+    remesh_options_.replaces_input = false;
     blend_.blend = options.blend, blend_.rim_is_smooth = true;
   }
 

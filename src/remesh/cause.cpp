@@ -85,9 +85,11 @@ Cause cause_of(Editor& editor, FaceId f) {
   }
   if (const auto angle = least_corner_deg(editor, face); angle && *angle < kSharpInput)
     return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", *angle)};
-  const double fine = SizeOptions{}.gap_floor * input_edge_length(editor, f);
-  if (const auto gap = least_fixed_gap(mesh, face.v); gap && *gap < fine)
-    return {Kind::kInputDetail, fmt::format("fixed nodes only {:.3g} apart", *gap)};
+  if (editor.options().replaces_input) {
+    const double fine = SizeOptions{}.gap_floor * input_edge_length(editor, f);
+    if (const auto gap = least_fixed_gap(mesh, face.v); gap && *gap < fine)
+      return {Kind::kInputDetail, fmt::format("fixed nodes only {:.3g} apart", *gap)};
+  }
   const auto fixed = [&](std::size_t k) { return mesh.vertex(face.v[k]).fixed; };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;
