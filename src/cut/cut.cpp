@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/append.hpp"
 #include "core/components.hpp"
 #include "core/summary.hpp"
 #include "cut/base_pieces.hpp"
@@ -27,11 +28,6 @@
 
 namespace meshgraft {
 namespace {
-
-template <class T>
-void append(std::vector<T>& to, std::vector<T> from) {
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
 
 /// What is wrong with the inputs before anything is cut, and the tool. One made from numbers has no units and no scale.
 Result<ToolSurface> checked_tool(const Model& base, const CutTool& from, const CutOptions& options) {

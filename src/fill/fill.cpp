@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/append.hpp"
 #include "core/components.hpp"
 #include "core/union_find.hpp"
 #include "fill/chosen.hpp"
@@ -20,11 +21,6 @@
 
 namespace meshgraft {
 namespace {
-
-template <class T>
-void append(std::vector<T>& to, std::vector<T> from) {
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
 
 constexpr double kNoticed = 0.1;  // edge lengths: nodes that stop farther from where they should be are told of
 

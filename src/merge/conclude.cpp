@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include "core/append.hpp"
 #include "merge/coverage.hpp"
 #include "merge/creases.hpp"
 #include "merge/faults.hpp"
@@ -23,11 +24,6 @@
 
 namespace meshgraft {
 namespace {
-
-template <class T>
-void append(std::vector<T>& to, std::vector<T> from) {
-  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
-}
 
 /// The largest bandwidth of the components of each input.
 std::vector<int> by_input(const std::vector<int>& bandwidth, const Components& components) {
