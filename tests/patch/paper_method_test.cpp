@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <cmath>
+#include <numbers>
 
+#include "geometry/quality.hpp"
 #include "meshgraft/check.hpp"
 #include "meshgraft/merge.hpp"
 #include "support/catalogue.hpp"
@@ -59,6 +62,44 @@ TEST(PaperMethodAlone, AnAreaThatCannotBeFilledStaysAsItIsAndIsNamed) {
   const Model result = apply(plate, std::span(&sphere, 1), *merged);
   EXPECT_TRUE(check(result).sound());
   EXPECT_NEAR(check(result).area, check(plate).area + check(sphere).area, 1e-9);
+}
+
+/// A wall and a stiffener whose edges are a tenth of the distance from the origin, everywhere: the one in z = 0, the
+/// other upright along a ray.
+struct Graded {
+  static constexpr double kShare = 0.1, kRay = 0.6;
+  Model wall = scenes::moved(scenes::staggered_plate({0, 0, 0}, {1.5, 0, 0}, {0, 1.2, 0}, kShare), [](Vec3 p) {
+    return std::exp(p.x) * Vec3{std::cos(p.y), std::sin(p.y), 0};
+  });
+  Model stiffener =
+      scenes::moved(scenes::staggered_plate({0.2, -0.33, 0}, {1.1, 0, 0}, {0, 0.7, 0}, kShare, "PART"), [](Vec3 p) {
+        return std::exp(p.x) * Vec3{std::cos(p.y) * std::cos(kRay), std::cos(p.y) * std::sin(kRay), std::sin(p.y)};
+      });
+};
+
+TEST(PaperMethodAlone, TheDensityOfTheNewFacesIsThatOfTheSurroundingsFromPlaceToPlace) {
+  const Graded g;
+  MergeOptions options;
+  options.method = Method::kPaper, options.bandwidth = 4;
+  const auto merged = merge(g.wall, std::span(&g.stiffener, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  const auto position = [&](NodeRef n) {
+    if (n.input == kNew) return merged->graft.new_nodes[n.node.value].position;
+    return (n.input == 0 ? g.wall : g.stiffener).position[n.node.value];
+  };
+  std::array<double, 3> area_sum{}, n_faces{};  // in squares of the distance; from there to 1.6 times as far
+  for (const NewElement& e : merged->graft.new_elements) {
+    if (e.parent.input != 0) continue;
+    const Triangle t{position(e.nodes[0]), position(e.nodes[1]), position(e.nodes[2])};
+    const double r = norm(centroid(t));
+    const auto k = static_cast<std::size_t>(2 * std::log(r));
+    area_sum.at(k) += area(t) / (r * r), ++n_faces.at(k);
+  }
+  for (std::size_t k = 0; k < n_faces.size(); ++k) {
+    ASSERT_GT(n_faces[k], 20);
+    const double edge = std::sqrt(4 / std::numbers::sqrt3 * area_sum[k] / n_faces[k]);  // of equilateral faces as large
+    EXPECT_NEAR(edge, Graded::kShare, 0.25 * Graded::kShare) << "from " << std::exp(0.5 * static_cast<double>(k));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PaperMethod, testing::Range(std::size_t{0}, all_scenes().size()),
