@@ -27,14 +27,20 @@ class Filler {
     std::vector<Ring> pieces;
     divide(std::move(rings.front()), pieces);
     for (const Ring& piece : pieces)
-      if (!fill(piece))
-        return tl::unexpected(std::string("no triangulation of the contour is turned like the surface"));
+      if (auto filled = fill(piece); !filled) return tl::unexpected(std::move(filled.error()));
     return std::move(out_);
   }
 
  private:
   static constexpr std::size_t kLeastShare = 4;  // a chord leaves at least this part of the sides on either side
-  static constexpr int kMostAttempts = 8;        // to fill a polygon without making an edge twice
+  static constexpr int kMostAttempts = 200;      // to fill a polygon without making an edge twice
+
+  /// Two corners of a ring.
+  using Join = std::array<std::uint32_t, 2>;
+  struct Attempt {
+    PolygonFill filling;  // the best without
+    std::set<Join> barred;
+  };
 
   /// Makes one ring of all, the longest first, by the shortest chords.
   bool connect(std::vector<Ring>& rings) {
@@ -95,31 +101,48 @@ class Filler {
     }
   }
 
-  /// With repeated corners the best filling can make an edge twice; then that edge is not allowed at all.
-  bool fill(const Ring& ring) {
-    std::set<Edge> barred;
-    for (std::size_t k = 0; k < ring.size(); ++k) barred.insert(edge(ring[k], ring[(k + 1) % ring.size()]));
-    const FillRules rules = rules_for(ring, barred);
-    for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-      const auto filling = fill_polygon(ring, rules);
-      if (!filling) return false;
-      const std::vector<Edge> twice = repeated(ring, filling->faces);
-      if (!twice.empty()) {
-        barred.insert(twice.begin(), twice.end());
-        continue;
+  /// With repeated corners the best filling can make an edge twice, between several pairs of corners. A lawful one has
+  /// at most one of these joins, so the best without the others is sought for each in turn. What is left out only
+  /// lowers the scores: if the best attempt of all is lawful, nothing better is.
+  tl::expected<void, std::string> fill(const Ring& ring) {
+    std::set<Edge> sides;
+    for (std::size_t k = 0; k < ring.size(); ++k) sides.insert(edge(ring[k], ring[(k + 1) % ring.size()]));
+    std::vector<Attempt> open;
+    std::set<Join> barred;
+    const FillRules rules = rules_for(ring, sides, barred);
+    const auto attempt = [&] {
+      if (auto filling = fill_polygon(ring, rules)) open.push_back({std::move(*filling), barred});
+    };
+    attempt();
+    for (int n_attempts = 1; !open.empty();) {
+      const auto best = std::ranges::max_element(
+          open, [](const Attempt& a, const Attempt& b) { return a.filling.scores < b.filling.scores; });
+      const Attempt at = std::move(*best);
+      open.erase(best);
+      const std::vector<Join> twice = joins_of_one_edge(ring, at.filling.faces);
+      if (twice.empty()) {
+        for (const auto& f : at.filling.faces) out_.faces.push_back({ring[f[0]], ring[f[1]], ring[f[2]]});
+        return {};
       }
-      for (const auto& f : filling->faces) out_.faces.push_back({ring[f[0]], ring[f[1]], ring[f[2]]});
-      return true;
+      for (const Join kept : twice) {
+        if (++n_attempts > kMostAttempts)
+          return tl::unexpected(std::string("no triangulation of the contour has been found that makes no edge twice"));
+        barred = at.barred;
+        barred.insert(twice.begin(), twice.end());
+        barred.erase(kept);
+        attempt();
+      }
     }
-    return false;
+    return tl::unexpected(std::string("no triangulation of the contour is turned like the surface"));
   }
 
-  FillRules rules_for(const Ring& ring, const std::set<Edge>& barred) {
+  FillRules rules_for(const Ring& ring, const std::set<Edge>& sides, const std::set<Join>& barred) {
     FillRules rules;
     if (ring.size() > options_.all_scores) rules.depth = options_.depth;
-    rules.may_join = [this, &ring, &barred](std::uint32_t i, std::uint32_t j) {
+    rules.may_join = [this, &ring, &sides, &barred](std::uint32_t i, std::uint32_t j) {
       const VertexId a = ring[i], b = ring[j];
-      return a != b && !barred.contains(edge(a, b)) && !opening_.has_edge(a, b);
+      return a != b && !barred.contains({std::min(i, j), std::max(i, j)}) && !sides.contains(edge(a, b)) &&
+             !opening_.has_edge(a, b);
     };
     position_.clear(), normal_.clear();
     for (const VertexId v : ring) position_.push_back(opening_.position(v)), normal_.push_back(opening_.normal(v));
@@ -139,19 +162,18 @@ class Filler {
     return q;
   }
 
-  /// Edges between the same two vertices that are not the two sides of one edge.
-  static std::vector<Edge> repeated(const Ring& ring, const std::vector<std::array<std::uint32_t, 3>>& faces) {
-    std::map<Edge, std::set<std::array<std::uint32_t, 2>>> joins;
+  /// The joins that make one edge twice or more; none if there is no such edge.
+  static std::vector<Join> joins_of_one_edge(const Ring& ring, const std::vector<std::array<std::uint32_t, 3>>& faces) {
+    std::map<Edge, std::set<Join>> joins;
     const auto n = static_cast<std::uint32_t>(ring.size());
     for (const auto& f : faces)
       for (std::size_t k = 0; k < 3; ++k) {
         const auto [i, j] = std::minmax(f[k], f[(k + 1) % 3]);
         if (j - i != 1 && j - i != n - 1) joins[edge(ring[i], ring[j])].insert({i, j});
       }
-    std::vector<Edge> twice;
     for (const auto& [e, at] : joins)
-      if (at.size() > 1) twice.push_back(e);
-    return twice;
+      if (at.size() > 1) return {at.begin(), at.end()};
+    return {};
   }
 
   const Opening& opening_;

@@ -51,9 +51,9 @@ struct OpeningFill {
 ///      check of the result.
 ///  (3) With one contour of up to `most_corners` corners the worst face is the best possible one under (1) and (2),
 ///      and so are the `depth` worst ones together (all of them up to `all_scores` corners). With several contours,
-///      or a longer one, that holds given the `chords`, each of which is the shortest that crosses no contour. Where a
-///      contour passes through a vertex more than once, edges that would be made twice are not allowed at all, and the
-///      best of the rest is found.
+///      or a longer one, that holds given the `chords`, each of which is the shortest that crosses no contour. No
+///      filling is an answer too if a contour that passes through vertices more than once would make edges twice in
+///      every one of hundreds of attempts, each the best of what is left; none such is known.
 ///  (4) Deterministic; of equal choices the one with the smaller vertex id.
 ///
 /// Nothing, and why, if a contour cannot be reached or no triangulation is allowed.

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "geometry/quality.hpp"
-#include "remesh/fill_polygon.hpp"
+#include "remesh/star.hpp"
 
 namespace meshgraft {
 namespace {
@@ -179,6 +179,155 @@ TEST(Opening, HolesThatTouchAtANodeAndAnInnerLineFromTheRimAreOneContour) {
   ASSERT_TRUE(fill.has_value()) << fill.error();
   EXPECT_EQ(broken_laws(p, *fill), "");
   EXPECT_TRUE(fill->chords.empty());
+}
+
+/// All triangulations of one contour, one by one.
+class AllFillings {
+ public:
+  AllFillings(const Opening& opening, double least_cosine)
+      : opening_(opening), least_cosine_(least_cosine), ring_(opening.contours.front()) {
+    for (std::size_t k = 0; k < ring_.size(); ++k) edges_.insert(edge(k, (k + 1) % ring_.size()));
+  }
+
+  /// The scores, ascending, of the best one that makes no edge twice; empty: there is none.
+  std::vector<double> best() {
+    fill({{0, ring_.size() - 1}});
+    return best_;
+  }
+
+ private:
+  using Side = std::array<std::size_t, 2>;
+
+  [[nodiscard]] std::set<VertexId> edge(std::size_t i, std::size_t j) const { return {ring_[i], ring_[j]}; }
+
+  /// Puts a face on the last open side, in each way there is, and goes on with the others.
+  void fill(std::vector<Side> open) {
+    while (!open.empty() && open.back()[1] - open.back()[0] == 1) open.pop_back();
+    if (open.empty()) {
+      std::vector<double> scores = scores_;
+      std::ranges::sort(scores);
+      best_ = std::max(best_, scores);
+      return;
+    }
+    const auto [i, j] = open.back();
+    open.pop_back();
+    for (std::size_t k = i + 1; k < j; ++k) {
+      const double q = score({ring_[i], ring_[k], ring_[j]});
+      if (!(q > 0)) continue;
+      std::vector<Side> made;
+      bool is_new = true;
+      for (const Side s : {Side{i, k}, Side{k, j}})
+        if (s[1] - s[0] > 1 && is_new) {
+          is_new = edges_.insert(edge(s[0], s[1])).second;
+          if (is_new) made.push_back(s);
+        }
+      if (is_new) {
+        std::vector<Side> next = open;
+        next.push_back({i, k}), next.push_back({k, j});
+        scores_.push_back(q);
+        fill(std::move(next));
+        scores_.pop_back();
+      }
+      for (const Side s : made) edges_.erase(edge(s[0], s[1]));
+    }
+  }
+
+  /// Q, or 0 if the face is turned against the normal at its first corner, or too far from that at any.
+  [[nodiscard]] double score(const std::array<VertexId, 3>& v) const {
+    if (std::set(v.begin(), v.end()).size() < 3) return 0;
+    const Triangle t{opening_.position(v[0]), opening_.position(v[1]), opening_.position(v[2])};
+    if (!(signed_aspect_ratio(t, opening_.normal(v[0])) > kFlat)) return 0;
+    for (const VertexId c : v)
+      if (!opening_.planar && dot(unit_normal(t), opening_.normal(c)) < least_cosine_) return 0;
+    return aspect_ratio(t);
+  }
+
+  const Opening& opening_;
+  double least_cosine_;
+  std::vector<VertexId> ring_;
+  std::set<std::set<VertexId>> edges_;  // sides, and what has been made
+  std::vector<double> scores_, best_;
+};
+
+/// Empty if the filling of an opening with one contour is the best of all.
+std::string not_the_best(const Opening& opening, const OpeningOptions& options = {}) {
+  const auto best = AllFillings(opening, options.least_cosine).best();
+  const auto fill = fill_opening(opening, options);
+  if (fill.has_value() == best.empty()) return fill ? "filled against the rules" : "not filled";
+  if (!fill) return {};
+  std::vector<double> scores;
+  for (const auto& f : fill->faces)
+    scores.push_back(aspect_ratio({opening.position(f[0]), opening.position(f[1]), opening.position(f[2])}));
+  std::ranges::sort(scores);
+  for (std::size_t k = 0; k < best.size(); ++k)
+    if (std::abs(scores.at(k) - best[k]) > 1e-12) return "a score is not that of the best";
+  return {};
+}
+
+/// A plane contour of few corners that passes through some of its nodes more than once: lines from the rim inwards
+/// and back, some with a hole at their end.
+Plate random_contour_that_meets_itself() {
+  Plate p;
+  std::vector<VertexId> ring;
+  const auto n = *rc::gen::inRange<std::size_t>(3, 6);
+  std::size_t room = 12 - n;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double shift = *rc::gen::inRange(-20, 20) / 100.0;
+    const auto polar = [&](double radius, double turn) {
+      const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + turn + shift) / static_cast<double>(n);
+      return p.add({radius * std::cos(angle), radius * std::sin(angle), 0});
+    };
+    const VertexId rim = polar(1, 0);
+    ring.push_back(rim);
+    const int kind = *rc::gen::inRange(0, 3);
+    if (kind == 1 && room >= 2) {
+      room -= 2;
+      ring.push_back(polar(*rc::gen::inRange(30, 80) / 100.0, 0)), ring.push_back(rim);
+    } else if (kind == 2 && room >= 5) {
+      room -= 5;
+      const VertexId tip = polar(0.7, 0), left = polar(0.4, -0.1), right = polar(0.4, 0.1);
+      for (const VertexId v : {tip, right, left, tip, rim}) ring.push_back(v);
+    }
+  }
+  p.contour(ring);
+  return p;
+}
+
+TEST(Opening, APlaneContourThatMeetsItselfIsFilledAsWellAsPossible) {
+  EXPECT_TRUE(rc::check([] { RC_ASSERT(not_the_best(random_contour_that_meets_itself().opening()) == ""); }));
+}
+
+/// Two contours and a line between them, as one; nodes and normals anywhere.
+Opening wild_band(std::vector<Vec3>& points, std::vector<Vec3>& normals) {
+  const auto any = [] { return *rc::gen::inRange(-100, 100) / 100.0; };
+  const auto n = *rc::gen::inRange<std::size_t>(3, 6), m = *rc::gen::inRange<std::size_t>(3, 6);
+  for (std::size_t k = 0; k < n + m; ++k) {
+    points.push_back({any(), any(), any()});
+    normals.push_back(normalized({any(), any(), any()}));
+  }
+  Opening o;
+  auto& ring = o.contours.emplace_back();
+  for (std::size_t k = 0; k <= n; ++k) ring.emplace_back(k % n);
+  for (std::size_t k = 0; k <= m; ++k) ring.emplace_back(n + (m - k) % m);
+  o.position = [&](VertexId v) { return points[v.value]; };
+  o.normal = [&](VertexId v) { return normals[v.value]; };
+  o.has_edge = [](VertexId, VertexId) { return false; };
+  return o;
+}
+
+/// In a plane no edge can be made twice, and on a surface that bends little hardly. Here faces may turn as they like
+/// beside their first corner: in one band of sixty or so the best filling would make an edge on both sides of one end.
+TEST(Opening, AContourThatCanMakeAnEdgeTwiceIsFilledAsWellAsPossibleToo) {
+  constexpr int kBands = 20;  // in each case
+  OpeningOptions options;
+  options.least_cosine = -1;
+  EXPECT_TRUE(rc::check([&] {
+    for (int k = 0; k < kBands; ++k) {
+      std::vector<Vec3> points, normals;
+      const Opening band = wild_band(points, normals);
+      RC_ASSERT(not_the_best(band, options) == "");
+    }
+  }));
 }
 
 TEST(Opening, AnEdgeThatIsThereAlreadyIsNotMade) {
