@@ -1,7 +1,6 @@
 #include "meshgraft/fill.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -10,7 +9,9 @@
 #include "core/union_find.hpp"
 #include "fill/chosen.hpp"
 #include "fill/flaws.hpp"
+#include "fill/rim_sizes.hpp"
 #include "fill/shape.hpp"
+#include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "merge/compatibility.hpp"
 #include "merge/conclude.hpp"
@@ -71,20 +72,25 @@ std::vector<Hole> holes_of(const Complex& complex, std::span<const Contour> all,
 
 /// New vertices are in the node groups that all vertices of the hole next to them are in.
 void give_node_groups(const Complex& around, std::span<const Hole> holes, Complex& complex, GroupSets& sets) {
+  std::vector<GroupSetId> common;    // by hole
+  std::vector<std::size_t> hole_of;  // by vertex of a rim
+  std::vector<Vec3> at;
+  std::vector<Box> boxes;
+  for (const Hole& hole : holes) {
+    common.push_back(around.vertex_groups[hole.front().vertices.front().value]);
+    for (const Rim& rim : hole)
+      for (const VertexId u : rim.vertices) {
+        common.back() = sets.intersect(common.back(), around.vertex_groups[u.value]);
+        hole_of.push_back(common.size() - 1), at.push_back(around.position[u.value]);
+        boxes.push_back({at.back(), at.back()});
+      }
+  }
+  const BoxTree rims(boxes);
   for (std::size_t v = 0; v < complex.n_vertices(); ++v) {
     if (complex.node[v].valid()) continue;
-    const auto distance_to = [&](const Hole& hole) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const Rim& rim : hole)
-        for (const VertexId u : rim.vertices)
-          least = std::min(least, distance(around.position[u.value], complex.position[v]));
-      return least;
-    };
-    const Hole& hole = *std::ranges::min_element(holes, {}, distance_to);
-    GroupSetId common = around.vertex_groups[hole.front().vertices.front().value];
-    for (const Rim& rim : hole)
-      for (const VertexId u : rim.vertices) common = sets.intersect(common, around.vertex_groups[u.value]);
-    complex.vertex_groups[v] = common;
+    const Vec3 p = complex.position[v];
+    complex.vertex_groups[v] =
+        common[hole_of[rims.nearest(p, [&](std::uint32_t i) { return squared_norm(p - at[i]); }).item]];
   }
 }
 
@@ -197,7 +203,7 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   }
 
   watch.start("remesh", 0.3);  // paper 5.6
-  const Sizing sizing = rim_sizing(around, holes, coarse->beams, options.zone.size);
+  const RimSizing sizing = rim_sizing(around, holes, coarse->beams, options.zone.size);
   RemeshedZone zone;
   Shaped filling = shaped(*coarse, sizing, graft.group_sets, options.zone);
   if (filling.blended.left > kNoticed)

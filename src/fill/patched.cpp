@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -15,13 +14,7 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kSideMisfit = 1.2;   // of the size at a side to its length: beyond that faces beside it are poor
 constexpr double kFlatHeight = 1e-9;  // of the length of a rim: what it may leave its plane by if it is planar
-
-double side_length(const Complex& c, const Rim& rim, std::size_t k) {
-  const VertexId a = rim.vertices[k], b = rim.vertices[(k + 1) % rim.vertices.size()];
-  return distance(c.position[a.value], c.position[b.value]);
-}
 
 /// Normals at the vertices of a hole, and whether all faces there lie in one plane with it.
 struct RimNormals {
@@ -122,6 +115,11 @@ FaceId typical_face(const Complex& c, const Hole& hole) {
 
 }  // namespace
 
+double side_length(const Complex& c, const Rim& rim, std::size_t k) {
+  const VertexId a = rim.vertices[k], b = rim.vertices[(k + 1) % rim.vertices.size()];
+  return distance(c.position[a.value], c.position[b.value]);
+}
+
 Region region_of(const Hole& hole) {
   Region rims;
   for (const Rim& rim : hole) rims.push_back(rim.vertices);
@@ -190,44 +188,6 @@ tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const 
   p.in_zone.assign(p.complex.n_faces(), 1);
   std::fill_n(p.in_zone.begin(), p.n_around, std::uint8_t{0});
   return p;
-}
-
-Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, const std::set<NodePair>& beams,
-                  std::optional<double> size) {
-  struct Sample {
-    Vec3 at;
-    double length;
-  };
-  std::vector<Sample> behind, sides;  // faces behind the rims; sides of rims and beams, which stay as they are
-  const VertexFaces faces_at(around);
-  for (const Hole& hole : holes)
-    for (const Rim& rim : hole)
-      for (std::size_t k = 0, n = rim.vertices.size(); k < n; ++k) {
-        const VertexId v = rim.vertices[k];
-        double sum = 0;
-        for (const FaceId f : faces_at[v]) sum += mean_edge_length(around.corners(f));
-        const Vec3 at = around.position[v.value];
-        behind.push_back({at, sum / static_cast<double>(faces_at[v].size())});
-        sides.push_back({at, 0.5 * (side_length(around, rim, k) + side_length(around, rim, (k + n - 1) % n))});
-      }
-  for (const Complex::Line& line : around.lines) {
-    if (!beams.contains(nodes_of(around, line.ends[0], line.ends[1]))) continue;
-    const Vec3 a = around.position[line.ends[0].value], b = around.position[line.ends[1].value];
-    for (const Vec3 at : {a, b}) sides.push_back({at, distance(a, b)});
-  }
-  const auto graded = [behind = std::move(behind), sides = std::move(sides), size](Vec3 p) {
-    double sum = 0, weight = 0, least = 0, most = std::numeric_limits<double>::infinity();
-    for (const Sample& s : behind) {
-      const double w = 1 / std::max(squared_norm(p - s.at), 1e-12 * s.length * s.length);
-      sum += w * s.length, weight += w;
-    }
-    for (const Sample& s : sides) {
-      const double change = SizeOptions{}.gradation * distance(p, s.at);
-      least = std::max(least, s.length / kSideMisfit - change), most = std::min(most, s.length * kSideMisfit + change);
-    }
-    return std::min(most, std::max(least, size.value_or(sum / weight)));
-  };
-  return {[graded](SheetId, Vec3 p) { return graded(p); }, [graded](CurveId, Vec3 p) { return graded(p); }};
 }
 
 }  // namespace meshgraft

@@ -25,6 +25,9 @@ struct Rim {
 /// An opening, by the rims that bound it together.
 using Hole = std::vector<Rim>;
 
+/// From its vertex k to the next one.
+[[nodiscard]] double side_length(const Complex& c, const Rim& rim, std::size_t k);
+
 /// A piece of a hole that is filled by itself.
 using Region = std::vector<std::vector<VertexId>>;  // closed chains with what is open on the left, as in Opening
 
@@ -66,10 +69,5 @@ struct NotClosed {
 /// of its rims, and the groups that all faces of these share.
 [[nodiscard]] tl::expected<Patched, NotClosed> patched(const Complex& around, std::span<const Hole> holes,
                                                        const LeftOut& left_out, GroupSets& groups);
-
-/// Edge lengths of a patch: those of the faces around its rims, the near ones counting most, or `size`; graded from the
-/// sides of the rims and the beams that are followed, which stay as they are.
-[[nodiscard]] Sizing rim_sizing(const Complex& around, std::span<const Hole> holes, const std::set<NodePair>& beams,
-                                std::optional<double> size);
 
 }  // namespace meshgraft

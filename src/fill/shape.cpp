@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "geometry/quality.hpp"
+#include "merge/quality_summary.hpp"
 #include "patch/blend.hpp"
+#include "patch/membrane.hpp"
 #include "patch/refine.hpp"
 #include "remesh/result.hpp"
 
@@ -79,6 +82,17 @@ Patched patched_again(Remeshed remeshed, const std::set<NodePair>& beams) {
   return p;
 }
 
+/// Moves the nodes inside curved patches to the membrane through their rims and beams.
+void put_on_membrane(Patched& p) {
+  std::vector<std::uint8_t> is_free(p.complex.n_vertices(), 0);
+  const auto patches = std::span(p.complex.face).subspan(p.n_around);
+  for (const auto& face : patches)
+    for (const VertexId v : face) is_free[v.value] = p.complex.node[v.value].valid() ? 0 : 1;
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for (const auto& [a, b, c] : patches) faces.push_back({a.value, b.value, c.value});
+  p.complex.position = on_membrane(faces, std::move(p.complex.position), is_free);
+}
+
 /// The patches in the working mesh, ready to be worked on.
 struct Workshop {
   Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, const RemeshOptions& options)
@@ -117,7 +131,7 @@ struct Workshop {
 
 class Shaper {
  public:
-  Shaper(const Sizing& sizing, GroupSets& groups, const MergeOptions& options)
+  Shaper(const RimSizing& sizing, GroupSets& groups, const MergeOptions& options)
       : sizing_(sizing), groups_(groups), options_(options) {
     remesh_options_.min_quality = options.min_quality;
     remesh_options_.edge_samples = 1;  // the surface is to be blended once more
@@ -125,61 +139,85 @@ class Shaper {
     blend_.blend = options.blend, blend_.rim_is_smooth = true;
   }
 
-  Shaped run(Patched coarse) {
-    grow(coarse);
-    Workshop work(coarse, sizing_, groups_, remesh_options_);
-    work.call_all_filled();
-    refine(work.editor, work.is_patch);
-    if (BlendOptions smooth = blend_;
-        smooth.blend == Blend::kCurvature) {  // from a membrane it leads far beyond its aim
-      smooth.blend = Blend::kTangency;
-      work.blend(smooth);
+  Shaped run(Patched patches) {
+    if (options_.method == Method::kPaper) {
+      grow(patches, sizing_.fine);
+      Workshop work(patches, sizing_.fine, groups_, remesh_options_);
+      work.call_all_filled();
+      refine(work.editor, work.is_patch);
+      return blended(work, true);
     }
-    Blended blended = work.blend(blend_);
-    Remeshed fine = work.result(groups_);
-    for (int round = 0; options_.method != Method::kPaper && round < kMostRounds; ++round) {
-      const Patched surface = patched_again(std::move(fine), coarse.beams);
-      const Brep brep = brep_of(surface, groups_, true);
-      blended =
-          blended_again(patched_again(remesh(surface.complex, brep, sizing_, surface.in_zone, groups_, remesh_options_),
-                                      coarse.beams),
-                        fine);
-      if (blended.moved == 0 || (blended.left == 0 && blended.moved < kNear)) break;
-    }
-    return {std::move(fine), blended};
+    grow(patches, sizing_.coarse);
+    Shaped shape = settled(patches, sizing_.coarse, true);
+    const Patched surface = patched_again(shape.remeshed, patches.beams);
+    return is_coarse(surface) ? settled(surface, sizing_.fine, false) : shape;
   }
 
  private:
   static constexpr double kGrowth = 0.1;  // of the faces: growth below it is left to the last step
   static constexpr int kMostRounds = 4;   // of remeshing on the surface and blending what has come of it
-  static constexpr double kNear = 0.5;    // edge lengths: a blending that moves faces less hardly changes their shape
+  static constexpr double kNear = 1;      // edge lengths: a blending that moves faces less hardly changes their shape
+  static constexpr double kCoarse = 1.3;  // of the size that is wanted: where sizes are more, the mesh is to be refined
 
   /// Inserts nodes step by step, in each on what the membrane through those of the last step is: the first faces, which
   /// only know the rim, are far from any smooth surface, and nodes on them would fold it on the way there.
-  void grow(Patched& patches) const {
-    BlendOptions membrane = blend_;
-    membrane.blend = Blend::kPosition;
-    membrane.deform.most_rounds = 2, membrane.deform.settled = 0.02;
+  void grow(Patched& patches, const Sizing& sizing) const {
     for (double growth = 1; growth > kGrowth;) {
-      Workshop work(patches, sizing_, groups_, remesh_options_);
-      if (!work.is_curved()) return;
+      Workshop work(patches, sizing, groups_, remesh_options_);
       work.call_all_filled();
       refine(work.editor, work.is_patch, {.most_rounds = 1});
-      work.blend(membrane);
       const auto before = static_cast<double>(patches.patch.size());
       patches = patched_again(work.result(groups_), patches.beams);
+      if (work.is_curved()) put_on_membrane(patches);
       growth = static_cast<double>(patches.patch.size()) / before - 1;
     }
   }
 
-  Blended blended_again(const Patched& patches, Remeshed& result) const {
-    Workshop work(patches, sizing_, groups_, remesh_options_);
-    const Blended blended = work.blend(blend_);
-    result = work.result(groups_);
-    return blended;
+  /// Whether the mesh is as coarse as the first one may be.
+  [[nodiscard]] bool is_coarse(const Patched& patches) const {
+    for (std::size_t f = patches.n_around; f < patches.complex.n_faces(); ++f) {
+      const Vec3 p = centroid(patches.complex.corners(FaceId(f)));
+      if (sizing_.coarse.in_sheet({}, p) > kCoarse * sizing_.fine.in_sheet({}, p)) return true;
+    }
+    return false;
   }
 
-  const Sizing& sizing_;
+  /// Meshes the surface and blends what has come of it, until that moves little and leaves no poor faces.
+  Shaped settled(Patched surface, const Sizing& sizing, bool from_membrane) const {
+    std::optional<Shaped> best;  // of those that moved little
+    for (int round = 0;; ++round) {
+      RemeshOptions options = remesh_options_;
+      options.keeps_good = round > 0;
+      const Brep brep = brep_of(surface, groups_, true);
+      const Patched patches =
+          patched_again(remesh(surface.complex, brep, sizing, surface.in_zone, groups_, options), surface.beams);
+      Workshop work(patches, sizing, groups_, remesh_options_);
+      Shaped shape = blended(work, from_membrane && round == 0);
+      const auto& [moved, left, left_at] = shape.blended;
+      const bool is_last = round + 1 == kMostRounds || moved == 0, is_near = left == 0 && moved < kNear;
+      if (is_near && (!best || n_poor(shape) < n_poor(*best))) best = shape;
+      if (best && (is_last || n_poor(*best) == 0)) return std::move(*best);
+      if (is_last) return shape;
+      surface = patched_again(std::move(shape.remeshed), surface.beams);
+    }
+  }
+
+  /// Faces that break the promise of a good mesh.
+  static std::ptrdiff_t n_poor(const Shaped& shape) {
+    return std::ranges::count_if(shape.remeshed.bad, [](const BadFace& bad) { return !is_excused(bad); });
+  }
+
+  Shaped blended(Workshop& work, bool from_membrane) const {
+    if (from_membrane && blend_.blend == Blend::kCurvature) {  // from there it leads far beyond its aim
+      BlendOptions smooth = blend_;
+      smooth.blend = Blend::kTangency;
+      work.blend(smooth);
+    }
+    const Blended blended = work.blend(blend_);
+    return {work.result(groups_), blended};
+  }
+
+  const RimSizing& sizing_;
   GroupSets& groups_;
   const MergeOptions& options_;
   RemeshOptions remesh_options_;
@@ -188,7 +226,7 @@ class Shaper {
 
 }  // namespace
 
-Shaped shaped(const Patched& coarse, const Sizing& sizing, GroupSets& groups, const MergeOptions& options) {
+Shaped shaped(const Patched& coarse, const RimSizing& sizing, GroupSets& groups, const MergeOptions& options) {
   return Shaper(sizing, groups, options).run(coarse);
 }
 

@@ -25,13 +25,17 @@ class Front {
 
   void run() {
     editor_.set_leeway(kLeeway);
-    clear();
+    find_leaving();
+    if (editor_.options().keeps_good) clear();
+    legalise_all();
     start();
-    while (!edges_.empty()) {
-      const auto [a, b] = edges_.front();
-      edges_.pop_front();
-      advance(a, b);
-    }
+    do {
+      while (!edges_.empty()) {
+        const auto [a, b] = edges_.front();
+        edges_.pop_front();
+        advance(a, b);
+      }
+    } while (clear_rest());
     editor_.set_leeway(1);
     editor_.forget();
   }
@@ -39,23 +43,34 @@ class Front {
  private:
   [[nodiscard]] const LocalMesh& mesh() const { return editor_.mesh(); }
 
-  void clear() {
-    std::vector<std::uint8_t> disturbed(mesh().n_sheets(), 0);
+  void find_leaving() {
+    std::vector<std::uint8_t> disturbed(mesh().n_sheets(), editor_.options().keeps_good ? 0 : 1);
     for (std::size_t f = 0; f < mesh().n_faces(); ++f) {
       const LocalFace& face = mesh().face(FaceId(f));
       if (face.alive && face.in_zone && (mesh().is_new(FaceId(f)) || face.q < kGood)) disturbed[face.sheet.value] = 1;
     }
-    std::vector<VertexId> leaving;
+    is_leaving_.assign(mesh().n_vertices(), 0);
     for (std::size_t k = 0; k < mesh().n_vertices(); ++k) {
       const LocalVertex& v = mesh().vertex(VertexId(k));
       if (!v.fixed && !v.curve.valid() && v.sheet.valid() && disturbed[v.sheet.value] &&
           !mesh().star(VertexId(k)).empty())
-        leaving.emplace_back(k);
+        is_leaving_[k] = 1;
     }
+  }
+
+  [[nodiscard]] bool is_leaving(VertexId v) const { return v.value < is_leaving_.size() && is_leaving_[v.value] != 0; }
+
+  /// Removes all that leave before the front starts; those that cannot be removed stay.
+  void clear() {
     for (int round = 0; round < kClearRounds; ++round)
-      std::erase_if(leaving, [&](VertexId v) { return editor_.remove(v); });
+      for (std::size_t k = 0; k < is_leaving_.size(); ++k)
+        if (is_leaving_[k] != 0 && editor_.remove(VertexId(k))) is_leaving_[k] = 0;
+    std::ranges::fill(is_leaving_, std::uint8_t{0});
+  }
+
+  void legalise_all() {
     for (std::size_t f = 0; f < mesh().n_faces(); ++f)
-      if (mesh().face(FaceId(f)).alive && mesh().is_new(FaceId(f)))
+      if (mesh().face(FaceId(f)).alive && (mesh().is_new(FaceId(f)) || !editor_.options().keeps_good))
         for (std::size_t k = 0; k < 3 && mesh().face(FaceId(f)).alive; ++k)
           legalise(mesh().face(FaceId(f)).v[k], mesh().face(FaceId(f)).v[(k + 1) % 3]);
   }
@@ -80,6 +95,7 @@ class Front {
   }
 
   [[nodiscard]] bool accepted(FaceId f) const {
+    if (std::ranges::any_of(mesh().face(f).v, [&](VertexId v) { return is_leaving(v); })) return false;
     const Triangle t = mesh().corners(f);
     const double a = distance(t[0], t[1]), b = distance(t[1], t[2]), c = distance(t[2], t[0]);
     const double radius = a * b * c / (4 * area(t));
@@ -96,7 +112,8 @@ class Front {
   }
 
   void advance(VertexId a, VertexId b) {
-    const FaceId base = face_on(a, b);  // on a curve with several sheets, each comes up in its turn
+    if (is_leaving(a) || is_leaving(b)) return;  // not final
+    const FaceId base = face_on(a, b);           // on a curve with several sheets, each comes up in its turn
     if (!base.valid() || accepted(base)) return;
     const LocalFace face = mesh().face(base);
     const Vec3 p = mesh().position(a), q = mesh().position(b), middle = midpoint(p, q);
@@ -105,7 +122,8 @@ class Front {
     const double size = std::clamp(editor_.size(a, b), kLeastApex * edge, kMostApex * edge);
     const double height = std::sqrt(std::max(size * size - 0.25 * edge * edge, 0.0));
     const Foot apex = editor_.reference().place(face.sheet, middle + height * inwards, FaceId{});
-    const FaceId at = locate(base, apex.point);
+    FaceId at = locate(base, apex.point);
+    while (at.valid() && make_room(at, apex.point, size)) at = locate(face_on(a, b), apex.point);
     if (!at.valid() || crowded(at, apex.point, size)) return;
     const auto v = editor_.insert(at, apex);
     if (!v) return;
@@ -114,11 +132,48 @@ class Front {
       const LocalFace piece = mesh().face(f);
       legalise(piece.v[0], piece.v[1]);
     }
-    for (const FaceId f : mesh().star(*v)) {
+    add_edges(mesh().star(*v));
+  }
+
+  void add_edges(std::span<const FaceId> faces) {
+    for (const FaceId f : faces) {
       const auto& w = mesh().face(f).v;
       for (std::size_t k = 0; k < 3; ++k)
         edges_.emplace_back(w[k], w[(k + 1) % 3]), edges_.emplace_back(w[(k + 1) % 3], w[k]);
     }
+  }
+
+  /// Removes vertices that leave, in the face or beside it and nearer to p than a new one there would be to others.
+  bool make_room(FaceId at, Vec3 p, double size) {
+    std::vector<VertexId> near;
+    for (const VertexId u : mesh().face(at).v)
+      for (const FaceId f : mesh().star(u))
+        for (const VertexId v : mesh().face(f).v)
+          if (is_leaving(v) && distance(mesh().position(v), p) < size) near.push_back(v);
+    for (const VertexId v : near) leave(v);
+    return !near.empty();
+  }
+
+  /// Removes a vertex, or makes it one that stays if that cannot be.
+  void leave(VertexId v) {
+    if (!is_leaving(v)) return;
+    is_leaving_[v.value] = 0;
+    editor_.forget();
+    if (!editor_.remove(v)) {
+      add_edges(mesh().star(v));
+      return;
+    }
+    for (const FaceId f : editor_.mesh().faces_since(0)) {
+      const auto corners = mesh().face(f).v;
+      add_edges(std::array{f});
+      for (std::size_t k = 0; k < 3; ++k) legalise(corners[k], corners[(k + 1) % 3]);
+    }
+  }
+
+  /// Removes all that the front has not reached; whether it has to go on there.
+  bool clear_rest() {
+    for (std::size_t k = 0; k < is_leaving_.size(); ++k) leave(VertexId(k));
+    return !edges_.empty();
   }
 
   /// Walks from a face towards a point of its sheet; none if a curve or the zone ends before.
@@ -189,6 +244,7 @@ class Front {
   static constexpr double kLeastGain = 1e-6;  // of the sum of cotangents; keeps squares from flipping for ever
 
   Editor& editor_;
+  std::vector<std::uint8_t> is_leaving_;  // by vertex
   std::deque<std::pair<VertexId, VertexId>> edges_;
 };
 

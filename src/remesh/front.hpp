@@ -9,9 +9,13 @@ namespace meshgraft {
 /// advancing front: each new vertex is the apex of a nearly equilateral triangle of the
 /// wanted size on an edge that is final, and the mesh is kept Delaunay.
 ///
-///  (1) Sheets whose faces are all as in the input, and good, stay. Keeping single good vertices near
+///  (1) Sheets whose faces are all as in the input, and good, stay (RemeshOptions::keeps_good). Keeping single good
+///  vertices near
 ///      the rim of the zone was tried: rows of the front that end on them cost 0.04 of the mean Q.
-///  (2) What the front leaves over is right in topology, but needs relaxing where fronts meet.
+///  (2) Without RemeshOptions::keeps_good all sheets are meshed anew, and vertices are removed when the front comes to
+///  them:
+///      across wide room without vertices each new one costs as many flips as the rim has edges.
+///  (3) What the front leaves over is right in topology, but needs relaxing where fronts meet.
 ///
 /// After Rebay, "Efficient unstructured mesh generation by means of Delaunay triangulation and
 /// Bowyer-Watson algorithm", J. Comput. Phys. 106 (1993), with flips in place of cavities.

@@ -19,6 +19,7 @@ struct RemeshOptions {
   double max_deviation = 0.065;  // of new faces from the reference surface, share of the edge length of the input
   int edge_samples = 3;          // inside an edge, where its distance from the reference is taken
   bool replaces_input = true;    // faces descend from faces of the input, whose details may excuse poor ones
+  bool keeps_good = true;        // sheets whose faces are all as they were, and good, keep their vertices
 };
 
 /// Why a face is poor, as far as the input is to blame.

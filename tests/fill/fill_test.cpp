@@ -413,6 +413,40 @@ TEST(Fill, WideAndSteepHolesAreFilledAsWellAsNarrowOnes) {
   }
 }
 
+/// Rings of nodes on a surface over the plane around a round hole of radius 1: all is regular, and the first
+/// triangulation of the hole lies in strips across it.
+Model regular_rings(std::size_t sides, const std::function<double(double, double)>& height, std::size_t rings = 6) {
+  ModelBuilder b;
+  const double step = 2 * std::numbers::pi / static_cast<double>(sides);
+  for (std::size_t j = 0; j <= rings; ++j)
+    for (std::size_t i = 0; i < sides; ++i) {
+      const double a = step * (static_cast<double>(i) + 0.5 * static_cast<double>(j));
+      const double r = 1 + 0.866 * step * static_cast<double>(j), x = r * std::cos(a), y = r * std::sin(a);
+      b.add_node({x, y, height(x, y)});
+    }
+  for (std::size_t j = 0; j < rings; ++j)
+    for (std::size_t i = 0; i < sides; ++i) {
+      const std::size_t at = j * sides + i, next = j * sides + (i + 1) % sides;
+      const std::size_t out = at + sides, before = (j + 1) * sides + (i + sides - 1) % sides;
+      b.add_face(NodeId(at), NodeId(before), NodeId(out)), b.add_face(NodeId(at), NodeId(out), NodeId(next));
+    }
+  return b.build();
+}
+
+TEST(Fill, WideHolesInRegularSaddlesDoNotFold) {
+  for (const std::size_t sides : {60, 200}) {
+    const Model base = regular_rings(sides, [](double x, double y) { return 0.25 * (x * x - y * y); });
+    const Merged m = made(base);
+    EXPECT_EQ(broken(m.report), std::vector<std::string>{}) << sides;
+    EXPECT_EQ(broken_laws(base, m), "") << sides;
+    EXPECT_GE(m.report.quality.min, 0.7) << sides;
+    for (const NewNode& n : m.graft.new_nodes) {
+      const auto [x, y, z] = n.position;
+      EXPECT_NEAR(z, 0.25 * (x * x - y * y), 0.002) << sides;
+    }
+  }
+}
+
 /// A round hole in a flat plate of rings: all sides of the rim are alike, and shorter or longer than the faces behind
 /// it.
 Model ringed(std::size_t sides, double behind) {
