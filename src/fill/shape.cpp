@@ -8,6 +8,7 @@
 #include "merge/quality_summary.hpp"
 #include "patch/blend.hpp"
 #include "patch/membrane.hpp"
+#include "patch/opening.hpp"
 #include "patch/refine.hpp"
 #include "remesh/result.hpp"
 
@@ -16,18 +17,49 @@ namespace {
 
 constexpr double kFlatSheet = 1e-9;  // of the width of a patch: what it may leave its plane by if it is planar
 
+/// The faces around by their free edges, in the direction of the patch.
+using Beyond = std::map<std::array<VertexId, 2>, FaceId>;
+
+/// Whether a patch that lies in a plane stays there though the surface is to be continued: all around lies in the
+/// plane, too; or stands on it so steeply that the patch is a cap; or has a fold that ends at the rim, as it cannot be
+/// continued on both sides of that.
+bool stays_flat(const Patched& p, std::span<const FaceId> patch, Vec3 normal, double limit, const Beyond& beyond) {
+  const Vec3 origin = p.complex.corners(patch.front())[0];
+  const double smooth = std::cos(BrepOptions{}.sharp_angle);
+  std::map<VertexId, Vec3> normal_beyond;  // by vertex of the rim: of one of the faces there
+  bool is_level = true;
+  for (const FaceId f : patch)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& v = p.complex.face[f.value];
+      const auto it = beyond.find({v[k], v[(k + 1) % 3]});
+      if (it == beyond.end()) continue;
+      const Triangle t = p.complex.corners(it->second);
+      const Vec3 n = unit_normal(t);
+      if (dot(n, normal) < OpeningOptions{}.least_cosine) return true;
+      is_level = is_level && std::ranges::all_of(t, [&](Vec3 q) { return std::abs(dot(q - origin, normal)) <= limit; });
+      for (const VertexId end : it->first)
+        if (const auto [other, is_first] = normal_beyond.try_emplace(end, n);
+            !is_first && dot(other->second, n) < smooth)
+          return true;
+    }
+  return is_level;
+}
+
 /// Corners, curves and sheets: those of what is around, and one sheet for each patch, on the surface of its faces or
 /// not.
-Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
+Brep brep_of(const Patched& p, GroupSets& groups, Blend blend, bool on_its_surface) {
   Complex around = p.complex;
   around.face.resize(p.n_around), around.parent.resize(p.n_around), around.component.resize(p.n_around);
   around.face_groups.resize(p.n_around), around.face_attributes.resize(p.n_around);
   Brep brep = read_brep(around, {}, {}, groups);
   std::map<std::array<VertexId, 2>, CurveId> curve;  // of free edges, in the direction of the patch
+  Beyond beyond;
   for (std::size_t f = 0; f < p.n_around; ++f)
     for (std::size_t k = 0; k < 3; ++k)
-      if (brep.curve_of_edge[f][k].valid())
-        curve[{around.face[f][(k + 1) % 3], around.face[f][k]}] = brep.curve_of_edge[f][k];
+      if (brep.curve_of_edge[f][k].valid()) {
+        const std::array edge{around.face[f][(k + 1) % 3], around.face[f][k]};
+        curve[edge] = brep.curve_of_edge[f][k], beyond[edge] = FaceId(f);
+      }
   for (const Complex::Line& line : around.lines) {  // in a hole, each is a curve that stays as it is
     const auto [a, b] = line.ends;
     if (!p.beams.contains(nodes_of(around, a, b)) || curve.contains({a, b})) continue;
@@ -67,6 +99,7 @@ Brep brep_of(const Patched& p, GroupSets& groups, bool on_its_surface) {
       return std::ranges::all_of(p.complex.corners(f),
                                  [&](Vec3 q) { return std::abs(dot(q - origin, normal)) <= limit; });
     });
+    if (sheet.planar && blend != Blend::kPosition) sheet.planar = stays_flat(p, sheet.faces, normal, limit, beyond);
     if (sheet.planar) sheet.normal = normal, sheet.origin = origin;
   }
   return brep;
@@ -95,10 +128,10 @@ void put_on_membrane(Patched& p) {
 
 /// The patches in the working mesh, ready to be worked on.
 struct Workshop {
-  Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, const RemeshOptions& options)
+  Workshop(const Patched& p, const Sizing& sizing, GroupSets& groups, Blend blend, const RemeshOptions& options)
       : complex(p.complex),
         in_zone(p.in_zone),
-        brep(brep_of(p, groups, false)),
+        brep(brep_of(p, groups, blend, false)),
         editor(complex, brep, in_zone, sizing, options) {
     is_patch.assign(brep.sheets.size(), 0);
     for (std::size_t f = p.n_around; f < in_zone.size(); ++f) is_patch[brep.sheet_of_face[f].value] = 1;
@@ -142,7 +175,7 @@ class Shaper {
   Shaped run(Patched patches) {
     if (options_.method == Method::kPaper) {
       grow(patches, sizing_.fine);
-      Workshop work(patches, sizing_.fine, groups_, remesh_options_);
+      Workshop work(patches, sizing_.fine, groups_, blend_.blend, remesh_options_);
       work.call_all_filled();
       refine(work.editor, work.is_patch);
       return blended(work, true);
@@ -163,7 +196,7 @@ class Shaper {
   /// only know the rim, are far from any smooth surface, and nodes on them would fold it on the way there.
   void grow(Patched& patches, const Sizing& sizing) const {
     for (double growth = 1; growth > kGrowth;) {
-      Workshop work(patches, sizing, groups_, remesh_options_);
+      Workshop work(patches, sizing, groups_, blend_.blend, remesh_options_);
       work.call_all_filled();
       refine(work.editor, work.is_patch, {.most_rounds = 1});
       const auto before = static_cast<double>(patches.patch.size());
@@ -188,10 +221,10 @@ class Shaper {
     for (int round = 0;; ++round) {
       RemeshOptions options = remesh_options_;
       options.keeps_good = round > 0;
-      const Brep brep = brep_of(surface, groups_, true);
+      const Brep brep = brep_of(surface, groups_, blend_.blend, true);
       const Patched patches =
           patched_again(remesh(surface.complex, brep, sizing, surface.in_zone, groups_, options), surface.beams);
-      Workshop work(patches, sizing, groups_, remesh_options_);
+      Workshop work(patches, sizing, groups_, blend_.blend, remesh_options_);
       Shaped shape = blended(work, from_membrane && round == 0);
       const auto& [moved, left, left_at] = shape.blended;
       const bool is_last = round + 1 == kMostRounds || moved == 0, is_near = left == 0 && moved < kNear;

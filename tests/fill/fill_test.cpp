@@ -447,6 +447,40 @@ TEST(Fill, WideHolesInRegularSaddlesDoNotFold) {
   }
 }
 
+TEST(Fill, AFlatRimOnACurvedSurfaceIsFilledAsCurved) {
+  const Model base = regular_rings(60, [](double x, double y) { return std::sqrt(6.25 - x * x - y * y); });
+  for (const Blend blend : {Blend::kPosition, Blend::kTangency, Blend::kCurvature}) {
+    FillOptions options;
+    options.zone.blend = blend;
+    const Merged m = made(base, options);
+    EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+    EXPECT_GE(m.report.quality.min, 0.7);
+    double low = 2.5, high = 2.5;  // radii
+    for (const NewNode& n : m.graft.new_nodes)
+      low = std::min(low, norm(n.position)), high = std::max(high, norm(n.position));
+    EXPECT_NEAR(low, blend == Blend::kPosition ? std::sqrt(5.25) : 2.5, 0.02);
+    EXPECT_NEAR(high, 2.5, 0.02);
+  }
+}
+
+/// A lid that is missing: what is around stands on it at less than a right angle, but has folds that end there.
+TEST(Fill, AFlatRimWithFoldsIsFilledFlat) {
+  scenes::Surface s;
+  s.at = [](double u, double v) {
+    const double t = 4 * u, part = t - std::floor(t), half = 1 + 0.5 * v;
+    const std::array<Vec3, 5> corner{{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}};
+    const auto side = static_cast<std::size_t>(t);
+    const Vec3 p = lerp(corner[side], corner[std::min<std::size_t>(side + 1, 4)], part) * half;
+    return Vec3{p.x, p.y, -0.5 * v};
+  };
+  s.nu = 40, s.nv = 3, s.closed_u = true;
+  FillOptions options;
+  options.openings = {{1}};  // the shorter one
+  const Merged m = made(scenes::surface(s), options);
+  EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+  for (const NewNode& n : m.graft.new_nodes) EXPECT_EQ(n.position.z, 0);
+}
+
 /// A round hole in a flat plate of rings: all sides of the rim are alike, and shorter or longer than the faces behind
 /// it.
 Model ringed(std::size_t sides, double behind) {
