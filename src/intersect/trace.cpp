@@ -104,6 +104,8 @@ class Tracer {
     Vec3 dir;
     double length = 0, weld = 0;
     [[nodiscard]] double along(Vec3 p) const { return dot(p - from, dir); }
+    /// Cosine of the angle between the way and the straight line to a point.
+    [[nodiscard]] double straightness(Vec3 p) const { return dot(normalized(p - from), dir); }
     /// On which side of the way a point lies.
     [[nodiscard]] int sign(Vec3 p) const { return orientation_sign(from, to, up, p); }
   };
@@ -145,7 +147,8 @@ class Tracer {
     return Exit{w.along(point), g, {Carrier::kEdge, e, t}, point};
   }
 
-  /// The next edge or vertex on the way, out of a face at the symbol.
+  /// The next edge or vertex on the way, out of the face at the symbol that it runs in: around a fold others may be
+  /// ahead too.
   [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Symbol& at, const Way& w) const {
     std::optional<Exit> first;
     for (const LocalFace g : faces_at(o, at.on[o])) {
@@ -153,7 +156,7 @@ class Tracer {
       for (const LocalEdge e : m_.side[o].edges(g)) {
         if (m_.on_edge(at, o, e)) continue;
         const auto found = through(o, g, e, w);
-        if (found && (!first || found->along < first->along)) first = found;
+        if (found && (!first || w.straightness(found->point) > w.straightness(first->point))) first = found;
       }
     }
     return first;

@@ -302,6 +302,37 @@ TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
   scenes::expect_sound(apply(hole, std::span(&shank, 1), *merged));
 }
 
+/// A roof of any steepness and a ridge tile on it, whose nodes are elsewhere. What runs down one side of it from the
+/// ridge is ahead on the other side too if the fold is sharper than a right angle.
+TEST(FusedContact, ABorderIsFollowedOverAFold) {
+  const auto roof = [](double steepness, Vec3 from, double along, double down, double size, const std::string& group) {
+    scenes::Surface s;
+    s.at = [=](double u, double v) {
+      const double x = from.x + along * u, w = down * (2 * v - 1);
+      return Vec3{x, from.y + w * std::cos(steepness), from.z - std::abs(w) * std::sin(steepness)};
+    };
+    s.nu = static_cast<std::size_t>(std::lround(along / size));
+    s.nv = 2 * static_cast<std::size_t>(std::lround(down / size));
+    s.group = group;
+    return scenes::surface(s);
+  };
+  for (const double degrees : {25.0, 40.0, 50.0, 55.0, 65.0, 70.0})
+    for (const double gap : {0.0, 0.01}) {
+      SCOPED_TRACE(testing::Message() << "each side " << degrees << " degrees steep, " << gap << " apart");
+      const double steepness = degrees * std::numbers::pi / 180;
+      const Model base = roof(steepness, {0, 0, 0}, 2, 1, 0.1, "ROOF");
+      const Model tile = roof(steepness, {0.53, 0, gap}, 0.83, 0.47, 0.09, "TILE");
+      MergeOptions options;
+      options.tolerance = {0.2, true};
+      const auto merged = merge(base, std::span(&tile, 1), options);
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+      EXPECT_GE(merged->report.quality.min, 0.5);
+      // Straight down onto the roof its eaves come to lie higher up.
+      EXPECT_NEAR(merged->report.overlaps.at(0).area, 2 * 0.83 * (0.47 - gap * std::sin(steepness)), 1e-3);
+    }
+}
+
 /// A rim of nodes in two node groups, as programs write that list the nodes of each face: they were taken for named
 /// ones.
 TEST(FusedContact, NodesOnTheFoldOfAProfileStayInTheNodeGroupsOfBothLegs) {
