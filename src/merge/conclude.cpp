@@ -117,6 +117,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   Dropped overlaid = dropped;
   add_losses(inputs, corefined, final_complex, all_layers, translated, graft, overlaid);
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
+  add_facet_slack(corefined.complex, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   if (!all_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
   Ledger ledger = ledger_of(inputs, sums, graft, overlaid);
   report.groups = std::move(ledger.groups);

@@ -1,6 +1,7 @@
 #include "merge/dropped.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/union_find.hpp"
 #include "geometry/quality.hpp"
@@ -11,6 +12,8 @@ namespace meshgraft {
 namespace {
 
 using Edge = std::array<VertexId, 2>;
+
+constexpr double kLeastCosine = 0.5;  // of faces that lie on each other, in reckoning their areas
 
 /// What is left of an edge when the marked faces are out.
 struct Remains {
@@ -116,6 +119,19 @@ void add_stretch(const Complex& original, const Corefined& corefined, const Node
     const double growth = distance(places.of(original.node[a.value]), places.of(original.node[b.value])) -
                           distance(original.position[a.value], original.position[b.value]);
     for (const GroupId g : sets.members(line.groups)) dropped.stretched_length[g.value] += growth;
+  }
+}
+
+void add_facet_slack(const Complex& corefined, const NodePlaces& places, const GroupSets& sets, std::size_t n_groups,
+                     Dropped& dropped) {
+  dropped.facet_slack.resize(n_groups);
+  for (std::size_t f = 0; f < corefined.layers.size(); ++f) {
+    const Triangle face = corefined.corners(FaceId(f));
+    for (const Complex::Layer& layer : corefined.layers[f]) {
+      const double cosine = std::abs(dot(unit_normal(face), unit_normal(places.of(layer.parent))));
+      const double amount = area(face) * (1 / std::max(cosine, kLeastCosine) - 1);
+      for (const GroupId g : sets.members(layer.groups)) dropped.facet_slack[g.value] += amount;
+    }
   }
 }
 

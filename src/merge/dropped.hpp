@@ -41,7 +41,11 @@ struct Dropped {
   [[nodiscard]] double filled_area_of(GroupId g) const {
     return filled_area.size() > g.value ? filled_area[g.value] : 0;
   }
-  double slack = 0;  // area between curved borders and their chords, by which amounts may differ
+  double slack = 0;                 // area between curved borders and their chords, by which amounts may differ
+  std::vector<double> facet_slack;  // by merged group: the same for facets laid on others; empty: none was
+  [[nodiscard]] double slack_of(GroupId g) const {
+    return slack + (facet_slack.size() > g.value ? facet_slack[g.value] : 0);
+  }
 };
 
 /// By face: the piece it is in, named after its smallest face. Faces that share an edge are in one piece,
@@ -62,6 +66,11 @@ void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, cons
 /// others (Corefined::covered) are not looked at: they went.
 void add_stretch(const Complex& original, const Corefined& corefined, const NodePlaces& places, const GroupSets& sets,
                  std::size_t n_groups, Dropped& dropped);
+
+/// Adds by how much what was laid on faces may have been larger or smaller than they are: 1 / cos of the angle between
+/// the two, as facets of curved surfaces that do not match lean on each other.
+void add_facet_slack(const Complex& corefined, const NodePlaces& places, const GroupSets& sets, std::size_t n_groups,
+                     Dropped& dropped);
 
 /// The entry of the report for faces of one input.
 [[nodiscard]] DroppedEntry entry_of(const Complex& complex, std::span<const FaceId> faces, const GroupSets& sets,

@@ -254,7 +254,7 @@ Ledger ledger_of(Inputs inputs, std::span<const std::vector<GroupSum>> sums, con
     if (entry.members_before == 0 || entry.members_after > 0)
       check(entry,
             {before.area - dropped.area_of(id) + dropped.stretched_area_of(id) + dropped.filled_area_of(id),
-             before.length - dropped.length_of(id) + dropped.stretched_length_of(id), dropped.slack},
+             before.length - dropped.length_of(id) + dropped.stretched_length_of(id), dropped.slack_of(id)},
             options, ledger.broken);
     else if (dropped.touches(id))
       ledger.warnings.push_back({"emptied-group", "group " + group.name + " " + emptied + ": all were dropped", {}});

@@ -280,17 +280,17 @@ TEST(Stacks, AProfileWithBothLegsOverTheEdgeOfAPlateIsRefusedWithTheirDistance) 
   }
 }
 
+Model tube(std::size_t around, std::size_t along, double low, double high, double turned, const std::string& group) {
+  const auto at = [=](double u, double v) {
+    const double a = 2 * std::numbers::pi * u + turned;
+    return Vec3{10 * std::cos(a), 10 * std::sin(a), std::lerp(low, high, v)};
+  };
+  return scenes::surface({at, around, along, true, false, 0, 1, group});
+}
+
 /// Facets of a shank and of the hole that it stands in are nowhere farther apart than the greater sagitta, 0.123; the
 /// chord of an edge of the one, seen in the surface of the other, is up to twice as far.
 TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
-  const auto tube = [](std::size_t around, std::size_t along, double low, double high, double turned,
-                       const std::string& group) {
-    const auto at = [=](double u, double v) {
-      const double a = 2 * std::numbers::pi * u + turned;
-      return Vec3{10 * std::cos(a), 10 * std::sin(a), std::lerp(low, high, v)};
-    };
-    return scenes::surface({at, around, along, true, false, 0, 1, group});
-  };
   const Model hole = tube(20, 6, 0, 20, 0, "HOLE"), shank = tube(22, 19, -20.3, 39.7, 0.27, "SHANK");
   MergeOptions options;
   options.tolerance = {0.185, false};
@@ -300,6 +300,26 @@ TEST(Tubes, OfOneRadiusWithOtherFacetsAreOneWhereTheyLieOnEachOther) {
   EXPECT_EQ(merged->report.junction.size(), 2u);
   EXPECT_NEAR(merged->report.overlaps.at(0).area, 400 * std::numbers::pi, 12);
   scenes::expect_sound(apply(hole, std::span(&shank, 1), *merged));
+}
+
+/// Of few sides the facets of one are up to a tenth narrower than those of the other that they are laid on.
+TEST(Tubes, OfFewSidesMayChangeTheirAreaByTheAngleOfTheirFacets) {
+  struct Sides {
+    std::size_t hole, bar;
+  };
+  for (const Sides sides : {Sides{9, 5}, Sides{8, 14}, Sides{12, 6}, Sides{5, 14}}) {
+    SCOPED_TRACE(testing::Message() << sides.hole << " and " << sides.bar << " sides");
+    const double coarse = std::numbers::pi / static_cast<double>(std::min(sides.hole, sides.bar));
+    const double fine = std::numbers::pi / static_cast<double>(std::max(sides.hole, sides.bar));
+    const Model hole = tube(sides.hole, 3, 0, 20, 0, "HOLE"), bar = tube(sides.bar, 6, -5.3, 25.7, 0.1, "BAR");
+    MergeOptions options;
+    options.tolerance = {18 * (1 - std::cos(coarse)), false};
+    options.contact_angle = coarse + fine + 0.1;
+    const auto merged = merge(hole, std::span(&bar, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    scenes::expect_sound(apply(hole, std::span(&bar, 1), *merged));
+  }
 }
 
 /// A roof of any steepness and a ridge tile on it, whose nodes are elsewhere. What runs down one side of it from the
