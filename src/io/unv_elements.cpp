@@ -7,6 +7,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "core/room.hpp"
 #include "io/unv_element_columns.hpp"
 #include "io/unv_pieces.hpp"
 #include "io/unv_types.hpp"
@@ -261,8 +262,8 @@ class WaveReader {
   /// Room for triangles. What is not used costs nothing.
   void reserve() {
     const std::size_t n = model_.n_elements() + (dataset_.body_end - dataset_.body) / kTriangleBytes + 1;
-    model_.element_label.reserve(n), model_.element_place.reserve(n), model_.element_attributes.reserve(n);
-    model_.first_node.reserve(n + 1), model_.nodes.reserve(model_.nodes.size() + 3 * n);
+    make_room(model_.element_label, n), make_room(model_.element_place, n), make_room(model_.element_attributes, n);
+    make_room(model_.first_node, n + 1), make_room(model_.nodes, model_.nodes.size() + 3 * n);
   }
 
   /// Parses the pieces of a wave at once from guessed starts, then makes sure that each starts where the one before

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "core/room.hpp"
 #include "io/unv_pieces.hpp"
 
 namespace meshgraft::unv {
@@ -167,6 +168,7 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
   if (first_line[n] % 2 != 0) return false;
 
   const std::size_t before = model.position.size(), after = before + first_line[n] / 2;
+  make_room(model.position, after), make_room(model.node_label, after), make_room(model.node_place, after);
   model.position.resize(after), model.node_label.resize(after), model.node_place.resize(after);
   std::vector<Findings> found(n, Findings(dataset.number));
   std::atomic<bool> good = true;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "core/room.hpp"
 #include "io/coordinate_systems.hpp"
 #include "io/label_index.hpp"
 #include "io/units.hpp"
@@ -42,6 +43,7 @@ class Reader {
         if (auto done = checked(dataset, read_elements(d_, dataset, nodes_, model_, model_.warnings)); !done)
           return tl::unexpected(done.error());
     if (auto fault = index_elements()) return tl::unexpected(std::move(*fault));
+    make_room(model_.node_groups, model_.n_nodes()), make_room(model_.element_groups, model_.n_elements());
     model_.node_groups.assign(model_.n_nodes(), GroupSets::kEmpty);
     model_.element_groups.assign(model_.n_elements(), GroupSets::kEmpty);
     for (std::uint32_t k = 0; k < d_.datasets.size(); ++k)
