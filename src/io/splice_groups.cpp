@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "core/blocks.hpp"
 #include "io/removed_labels.hpp"
 #include "io/splice_context.hpp"
 #include "io/unv_format.hpp"
@@ -160,12 +161,17 @@ class GroupSplicer {
     std::vector<std::string_view> runs;   // of lines
     std::vector<std::string_view> loose;  // columns of entities
 
-    void add_line(std::string_view line, std::size_t n_entities) {
+    void add_lines(std::string_view lines, std::size_t n_entities) {
       count += n_entities;
-      if (!runs.empty() && runs.back().data() + runs.back().size() == line.data())
-        runs.back() = {runs.back().data(), runs.back().size() + line.size()};
+      if (!runs.empty() && runs.back().data() + runs.back().size() == lines.data())
+        runs.back() = {runs.back().data(), runs.back().size() + lines.size()};
       else
-        runs.push_back(line);
+        runs.push_back(lines);
+    }
+    void add(const Kept& after) {
+      for (const std::string_view lines : after.runs) add_lines(lines, 0);
+      count += after.count;
+      loose.insert(loose.end(), after.loose.begin(), after.loose.end());
     }
   };
   [[nodiscard]] Kept kept_lines(const MergedGroup::From& from) {
@@ -177,20 +183,34 @@ class GroupSplicer {
       return {};
     Kept kept;
     kept.any = true;
-    const std::size_t per_line = entities_per_line(place.layout), width = place.layout.entity_size * kIntegerWidth;
-    const std::size_t line = per_line * width + d.line_end.size();
+    const std::size_t per_line = entities_per_line(place.layout);
+    const auto parts = collected_by_block<Kept>((group.count + per_line - 1) / per_line,
+                                                [&](std::size_t first, std::size_t last, std::vector<Kept>& out) {
+                                                  out.push_back(kept_lines(group, place.layout, first, last));
+                                                });
+    for (const Kept& part : parts) kept.add(part);
+    return kept;
+  }
+
+  /// The same of lines `first` to `last` - 1.
+  [[nodiscard]] Kept kept_lines(const RegularGroup& group, GroupLayout layout, std::size_t first,
+                                std::size_t last) const {
+    const Document& d = s_.base();
+    const std::size_t per_line = entities_per_line(layout), width = layout.entity_size * kIntegerWidth;
+    const std::size_t size = per_line * width + d.line_end.size();
+    Kept kept;
     RemovedColumns removed(removed_[0]);
-    for (std::uint64_t done = 0; done < group.count; done += per_line) {
-      const std::string_view text = d.text().substr(group.entities + done / per_line * line, line);
-      const std::size_t n = std::min<std::uint64_t>(per_line, group.count - done);
+    for (std::size_t i = first; i < last; ++i) {
+      const std::string_view line = d.text().substr(group.entities + i * size, size);
+      const std::size_t n = std::min<std::uint64_t>(per_line, group.count - i * per_line);
       std::size_t n_staying = 0;
-      for (std::size_t k = 0; k < n; ++k) n_staying += removed.contain(text.data() + k * width) ? 0 : 1;
+      for (std::size_t k = 0; k < n; ++k) n_staying += removed.contain(line.data() + k * width) ? 0 : 1;
       if (n_staying == per_line) {
-        kept.add_line(text, n);
+        kept.add_lines(line, n);
         continue;
       }
       for (std::size_t k = 0; k < n; ++k)
-        if (!removed.contain(text.data() + k * width)) kept.loose.push_back(text.substr(k * width, width));
+        if (!removed.contain(line.data() + k * width)) kept.loose.push_back(line.substr(k * width, width));
     }
     return kept;
   }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "io/grafts.hpp"
 #include "io/unv_samples.hpp"
@@ -107,6 +108,31 @@ TEST(UnvSplice, LinesOfAGroupOfWhichNothingGoesStayAsTheyAre) {
   Report report;
   EXPECT_NE(spliced(base, {}, merged, report).find(strip(first + third + line({7, 3, 0, 0, 8, 6, 0, 0}), 6)),
             std::string::npos);
+}
+
+/// So many lines that they are looked through in blocks.
+TEST(UnvSplice, LinesOfALargeGroupKeepTheirOrder) {
+  constexpr std::int64_t kNodesInAll = 50'001;
+  const std::set<std::int64_t> removed{6, 32'767, 32'770, 50'001};
+  std::string nodes, lines, lines_left;
+  for (std::int64_t n = 1; n <= kNodesInAll; n += 2) {
+    const bool is_last = n == kNodesInAll;
+    for (std::int64_t k = n; k <= (is_last ? n : n + 1); ++k)
+      nodes += node(k, "   0.0000000000000000D+00   0.0000000000000000D+00   0.0000000000000000D+00");
+    const std::string members = is_last ? line({7, n, 0, 0}) : line({7, n, 0, 0, 7, n + 1, 0, 0});
+    lines += members;
+    if (!removed.contains(n) && !removed.contains(n + 1)) lines_left += members;
+  }
+  const auto group = [](const std::string& members, std::int64_t count) {
+    return line({5, 0, 0, 0, 0, 0, 0, count}) + "ALL\n" + members;
+  };
+  const Model base = read(dataset("2411", nodes) + dataset("2467", group(lines, kNodesInAll)));
+  Merged merged = nothing(base);
+  for (const std::int64_t label : removed)
+    merged.graft.removed_nodes[0].emplace_back(static_cast<std::size_t>(label - 1));
+  Report report;
+  const std::string left = lines_left + line({7, 5, 0, 0, 7, 32'768, 0, 0}) + line({7, 32'769, 0, 0});
+  EXPECT_NE(spliced(base, {}, merged, report).find(group(left, kNodesInAll - 4)), std::string::npos);
 }
 
 TEST(UnvSplice, NewRecordsGoBeforeAMissingDelimiterAndLineEnd) {
