@@ -188,8 +188,7 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   dropped.slack = slack_of(zone.remeshed.complex, junction);
 
   const Components components = one_for_each_input(1);
-  Operation operation{inputs, components, incision->original, corefined,
-                      zone,   dropped,    ground.translated,  options.zone};
+  Operation operation{inputs, components, incision->original, corefined, zone, dropped, ground, options.zone};
   operation.kind = OperationKind::kCut;
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   report.junction = polylines_of(zone.remeshed.complex, junction, components);

@@ -220,7 +220,7 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   corefined.complex = std::move(coarse->complex);
   corefined.touched.assign(corefined.complex.n_faces(), 0);
   const Dropped dropped = account(around, holes, zone.remeshed.complex, graft.groups.size(), graft.group_sets);
-  Operation operation{inputs, components, around, corefined, zone, dropped, ground.translated, options.zone};
+  Operation operation{inputs, components, around, corefined, zone, dropped, ground, options.zone};
   operation.kind = OperationKind::kFill;
   if (const auto ok = conclude(operation, watch, made.merged); !ok) return Failure(ok.error());
   const auto unfollowed = without_edge(std::move(coarse->unfollowed), base, zone.remeshed.complex, around.n_faces());

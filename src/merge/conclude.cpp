@@ -88,7 +88,8 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
 }  // namespace
 
 Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged) {
-  const auto& [inputs, components, original, corefined, zone, dropped, translated, options, kind] = operation;
+  const auto& [inputs, components, original, corefined, zone, dropped, ground, options, kind] = operation;
+  SetTranslation& translated = ground.translated;
   Report& report = merged.report;
   Graft& graft = merged.graft;
   report.zone.bandwidth = by_input(zone.bandwidth, components), report.zone.widened = zone.widened;
@@ -97,15 +98,11 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   const Complex& final_complex = all_layers ? laid_out.complex : zone.remeshed.complex;
 
   watch.start("stitch", 0.8);
-  std::vector<std::vector<GroupSum>> sums;
-  Stitched stitched;
-  tbb::parallel_invoke([&] { stitched = stitch(inputs, original, corefined, final_complex, graft); },
-                       [&] { sums = group_sums(inputs); });
+  const Stitched stitched = stitch(inputs, original, corefined, final_complex, graft);
   remove_elements(inputs, dropped.elements, graft);
   assign_node_groups(inputs, translated, final_complex, stitched, graft);
-  Result<Labels> labels = labels_of(inputs, graft);
-  if (!labels) return Failure(labels.error());
-  merged.labels = std::move(*labels);
+  merged.labels = ground.accounts.labels();
+  if (const auto ok = check_room(merged.labels, graft); !ok) return Failure(ok.error());
 
   watch.start("check", 0.9);
   Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
@@ -119,7 +116,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   add_stretch(original, corefined, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   add_facet_slack(corefined.complex, outcome.places, graft.group_sets, graft.groups.size(), overlaid);
   if (!all_layers) append(report.warnings, attribute_warnings(inputs, final_complex));
-  Ledger ledger = ledger_of(inputs, sums, graft, overlaid);
+  Ledger ledger = ledger_of(inputs, ground.accounts.sums(), graft, overlaid);
   report.groups = std::move(ledger.groups);
   append(report.broken_promises, std::move(ledger.broken));
   append(report.warnings, std::move(ledger.warnings));

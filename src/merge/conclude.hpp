@@ -3,7 +3,7 @@
 
 #include "core/components.hpp"
 #include "merge/dropped.hpp"
-#include "merge/group_table.hpp"
+#include "merge/ground.hpp"
 #include "merge/inputs.hpp"
 #include "merge/operation_kind.hpp"
 #include "merge/remesh_zone.hpp"
@@ -20,7 +20,7 @@ struct Operation {
   const Corefined& corefined;  // the same, cut along the junction, without what was dropped
   const RemeshedZone& zone;
   const Dropped& dropped;
-  SetTranslation& translated;
+  Ground& ground;
   const MergeOptions& options;
   OperationKind kind = OperationKind::kMerge;
 };

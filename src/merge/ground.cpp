@@ -5,7 +5,7 @@
 namespace meshgraft {
 
 Ground::Ground(Inputs inputs, Merged& merged)
-    : table(group_table(inputs)), translated(inputs, table, merged.graft.group_sets) {
+    : table(group_table(inputs)), translated(inputs, table, merged.graft.group_sets), accounts(inputs) {
   Report& report = merged.report;
   report.version = MESHGRAFT_VERSION;
   for (const Model* model : inputs) {

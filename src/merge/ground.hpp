@@ -1,6 +1,7 @@
 // What merging, cutting and filling start from alike.
 #pragma once
 
+#include "merge/accounts.hpp"
 #include "merge/group_table.hpp"
 #include "meshgraft/merge.hpp"
 
@@ -15,6 +16,7 @@ struct Ground {
 
   GroupTable table;
   SetTranslation translated;
+  Accounts accounts;
 };
 
 }  // namespace meshgraft

@@ -104,9 +104,8 @@ class Numbering {
   std::int64_t largest_own_ = 0;        // of own_
 };
 
-template <class Id>
-Result<void> check_room(const Numbering<Id>& numbering, std::size_t n_new, const char* kind) {
-  const std::int64_t needed = numbering.largest + static_cast<std::int64_t>(n_new);
+Result<void> check_room(std::int64_t first_new, std::size_t n_new, const char* kind) {
+  const std::int64_t needed = first_new - 1 + static_cast<std::int64_t>(n_new);
   if (needed <= kLargestLabel) return {};
   return failure(ErrorCode::kLabelOverflow,
                  std::string("the merged model would need ") + kind + " labels up to " + std::to_string(needed) +
@@ -122,7 +121,7 @@ std::int64_t shifted_label(const std::vector<std::vector<Id>>& shifted, const st
 
 }  // namespace
 
-Result<Labels> labels_of(Inputs inputs, const Graft& graft) {
+Labels labels_of(Inputs inputs) {
   Numbering<NodeId> nodes;
   Numbering<ElementId> elements;
   tbb::parallel_invoke(
@@ -132,13 +131,16 @@ Result<Labels> labels_of(Inputs inputs, const Graft& graft) {
       [&] {
         for (const Model* model : inputs) elements.add_input(model->element_label);
       });
-  if (const auto ok = check_room(nodes, graft.new_nodes.size(), "node"); !ok) return Failure(ok.error());
-  if (const auto ok = check_room(elements, graft.new_elements.size(), "element"); !ok) return Failure(ok.error());
   Labels labels;
   labels.node_shift = nodes.shift, labels.element_shift = elements.shift;
   labels.shifted_nodes = nodes.shifted, labels.shifted_elements = elements.shifted;
   labels.first_new_node = nodes.largest + 1, labels.first_new_element = elements.largest + 1;
   return labels;
+}
+
+Result<void> check_room(const Labels& labels, const Graft& graft) {
+  const auto nodes = check_room(labels.first_new_node, graft.new_nodes.size(), "node");
+  return nodes ? check_room(labels.first_new_element, graft.new_elements.size(), "element") : nodes;
 }
 
 std::int64_t label_of(Inputs inputs, const Labels& labels, NodeRef node) {

@@ -15,9 +15,11 @@ inline constexpr std::int64_t kLargestLabel = 9'999'999'999;
 /// ten is the one above all labels of these inputs, so that element 57 becomes 10057 or 20057, or where that
 /// leads beyond 32 bits (or else beyond kLargestLabel), the one above the range of the labels that clash.
 ///
-/// Error kLabelOverflow if a shifted or new label would exceed kLargestLabel.
 /// Cost linear in the number of labels, and those of parts times the number of inputs.
-[[nodiscard]] Result<Labels> labels_of(Inputs inputs, const Graft& graft);
+[[nodiscard]] Labels labels_of(Inputs inputs);
+
+/// Error kLabelOverflow if a shifted label, or one of what is new, would exceed kLargestLabel.
+[[nodiscard]] Result<void> check_room(const Labels& labels, const Graft& graft);
 
 /// The label of a node or element in the merged model.
 [[nodiscard]] std::int64_t label_of(Inputs inputs, const Labels& labels, NodeRef node);

@@ -69,7 +69,7 @@ class HandMade {
   const Stitched& stitch_now() {
     stitched = stitch(inputs_, original, corefined, final_complex, graft);
     assign_node_groups(inputs_, translated, final_complex, stitched, graft);
-    labels = labels_of(inputs_, graft).value();
+    labels = labels_of(inputs_);
     return stitched;
   }
 
