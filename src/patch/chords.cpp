@@ -6,6 +6,8 @@
 #include "geometry/closest.hpp"
 #include "geometry/plane.hpp"
 #include "geometry/predicates.hpp"
+#include "geometry/quality.hpp"
+#include "remesh/star.hpp"
 
 namespace meshgraft {
 namespace {
@@ -28,6 +30,13 @@ bool starts_inside(Vec2 before, Vec2 at, Vec2 after, Vec2 b) {
 
 bool crosses(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return turn_sign(a, b, c) * turn_sign(a, b, d) < 0 && turn_sign(c, d, a) * turn_sign(c, d, b) < 0;
+}
+
+/// Whether the way from a to b passes so near to c that the face on the three is flat: a piece that it cuts off might
+/// have no other face there.
+bool grazes(Vec3 a, Vec3 b, Vec3 c) {
+  const double along = dot(c - a, b - a);
+  return along > 0 && along < squared_norm(b - a) && aspect_ratio({a, b, c}) <= kFlat;
 }
 
 }  // namespace
@@ -62,7 +71,8 @@ bool Chords::is_clear(const Ring& a, std::size_t i, const Ring& b, std::size_t j
         if (!near || dot(opening_.normal(s), normal) <= 0) continue;
       }
       const Vec2 c = plane(ps), d = plane(pt);
-      if (s != u && s != v && turn_sign(from, to, c) == 0 && is_between(from, to, c)) return false;
+      const bool is_on = turn_sign(from, to, c) == 0 && is_between(from, to, c);
+      if (s != u && s != v && (is_on || grazes(p, q, ps))) return false;
       if (s != u && s != v && t != u && t != v && crosses(from, to, c, d)) return false;
     }
   return true;

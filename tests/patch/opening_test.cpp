@@ -152,6 +152,32 @@ TEST(Opening, AContourInPiecesIsSoundToo) {
   }));
 }
 
+/// The shortest way across that leaves enough sides on either side passes a corner by one unit in the last place; the
+/// piece that it cuts off has no filling but one with a flat face.
+TEST(Opening, NoContourIsCutByAWayThatGrazesACorner) {
+  Plate p;
+  std::vector<VertexId> ring;
+  for (const Vec3 at : {Vec3{-3.7800000000000002, -0.5, 0},
+                        {-3.08, 0.2, 0},
+                        {-3.7799999999999998, 1.89, 0},
+                        {-3.7800000000000002, 3.1, 0},
+                        {-4.5, 7, 0},
+                        {-6, 8, 0},
+                        {-8, 8, 0},
+                        {-9, 6, 0},
+                        {-9.5, 3, 0},
+                        {-9, 0, 0},
+                        {-8, -3, 0},
+                        {-6, -4, 0}})
+    ring.push_back(p.add(at));
+  p.contour(ring);
+  OpeningOptions options;
+  options.most_corners = 11;
+  const auto fill = fill_opening(p.opening(), options);
+  ASSERT_TRUE(fill.has_value()) << fill.error();
+  EXPECT_EQ(broken_laws(p, *fill), "");
+}
+
 TEST(Opening, TheShapeOfAnOpeningDoesNotDependOnWhereItIsAndOnItsPlane) {
   EXPECT_TRUE(rc::check([] {
     const Plate p = random_plate();
