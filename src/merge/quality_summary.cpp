@@ -45,7 +45,7 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
 
 const char* hint_for(const BadFace* bad, OperationKind kind) {
   using enum Cause::Kind;
-  if (kind == OperationKind::kFill) return "give another --size, a smaller --min-quality, or --allow-poor";
+  if (kind == OperationKind::kFill) return "give another --size or --blend, a smaller --min-quality, or --allow-poor";
   const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
                                                 bad->cause.kind == kInputDetail);
   if (between_lines && kind == OperationKind::kCut)

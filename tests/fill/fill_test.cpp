@@ -262,6 +262,22 @@ TEST(Fill, NoHintNamesAnOptionThatItLacks) {
   }
 }
 
+/// A roof whose ridge is a side of the hole: the surface cannot be continued across it, but its edge can be met.
+TEST(Fill, ThePoorFacesOfAFillingThatIsAskedForTooMuchNameTheWayOut) {
+  const Model roof = scenes::moved(scenes::plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 0.1), [](Vec3 p) {
+    return Vec3{p.x, p.y, 0.13 * p.x - 0.95 * std::abs(p.y)};
+  });
+  const Model base = without_faces(
+      roof, [](Vec3 p) { return p.y < (std::abs(p.x) < 0.1 ? 0.1 : 0) && std::hypot(p.x, p.y + 0.25) < 0.45; });
+  FillOptions options;
+  const Merged poor = made(base, options);
+  ASSERT_FALSE(poor.report.broken_promises.empty());
+  EXPECT_NE(poor.report.broken_promises.front().hint.find("--blend"), std::string::npos);
+  options.zone.blend = Blend::kPosition;
+  const Merged met = made(base, options);
+  EXPECT_EQ(broken(met.report), std::vector<std::string>{});
+}
+
 TEST(Fill, NewFacesAreInTheGroupsThatAllFacesAroundShare) {
   ModelBuilder builder;
   const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1, "WALL");
