@@ -90,18 +90,30 @@ double Editor::deviation(const LocalFace& f) const {
   const auto share = [&](const Foot& foot) {
     return foot.distance / (options_.max_deviation * reference_->least_edge_length(foot.face));
   };
-  const Foot middle = reference_->project(f.sheet, centroid(t), hint);
-  const double cosine = dot(unit_normal(t), reference_->normal(middle.face));
-  if (cosine < kLeastCosine) return kTurned * (1 + kLeastCosine - cosine);
-  double worst = share(middle);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (f.curve[k].valid()) continue;
-    for (int i = 1; i <= options_.edge_samples; ++i) {
-      const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (options_.edge_samples + 1));
-      worst = std::max(worst, share(reference_->project(f.sheet, p, middle.face)));
+  // The largest, or the first that is more than `enough`.
+  const auto largest = [&](double enough, auto&& foot_of) {
+    const Foot middle = foot_of(centroid(t), hint);
+    const double cosine = dot(unit_normal(t), reference_->normal(middle.face));
+    if (cosine < kLeastCosine) return kTurned * (1 + kLeastCosine - cosine);
+    double worst = share(middle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (f.curve[k].valid()) continue;
+      FaceId beneath = middle.face;
+      for (int i = 1; i <= options_.edge_samples && worst <= enough; ++i) {
+        const Vec3 p = lerp(t[k], t[(k + 1) % 3], static_cast<double>(i) / (options_.edge_samples + 1));
+        const Foot foot = foot_of(p, beneath);
+        worst = std::max(worst, share(foot)), beneath = foot.face;
+      }
     }
+    return worst;
+  };
+  constexpr double kAllowed = 1;
+  if (hint.valid()) {
+    const double most = largest(kAllowed, [&](Vec3 p, FaceId from) { return reference_->walk(f.sheet, p, from); });
+    if (most <= kAllowed) return most;
   }
-  return worst;
+  return largest(std::numeric_limits<double>::infinity(),
+                 [&](Vec3 p, FaceId from) { return reference_->project(f.sheet, p, from); });
 }
 
 double Editor::deviation(FaceId f) {

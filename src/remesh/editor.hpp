@@ -44,8 +44,9 @@ class Editor {
   double cost(std::span<const FaceId> faces);
 
   /// Distance of a face from the reference over what RemeshOptions::max_deviation allows; 10 and more if it
-  /// does not face like the reference beneath; 0 in planar sheets. No change leaves a face with more than
-  /// 1, unless the faces it replaces have more.
+  /// does not face like the reference beneath; 0 in planar sheets. Up to 1 it may be more than the true one: what is
+  /// allowed is not measured to the end. No change leaves a face with more than 1, unless the faces it replaces have
+  /// more.
   double deviation(FaceId f);
   /// Lets every change go this far instead of 1.
   void set_leeway(double leeway) { leeway_ = leeway; }

@@ -54,6 +54,7 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
       for (const Vec3 p : complex.corners(faces_[s][k])) boxes[k].add(p);
     trees_[s] = BoxTree(boxes);
   });
+  find_neighbours();
   const Parents parents(complex);
   const std::vector<Vec3> area_vector = area_vectors(parents, complex);
   edge_length_.reserve(complex.n_faces());
@@ -67,6 +68,53 @@ Reference::Reference(const Complex& complex, const Brep& brep, const std::vector
   }
 }
 
+void Reference::find_neighbours() {
+  const auto is_walked = [&](std::size_t s) {
+    return !faces_[s].empty() && !brep_.sheets[s].planar && !brep_.sheets[s].made_up;
+  };
+  std::vector<std::size_t> walked;
+  for (std::size_t s = 0; s < faces_.size(); ++s)
+    if (is_walked(s)) walked.push_back(s);
+  if (walked.empty()) return;
+  const EdgeTable edges(complex_);
+  around_.emplace(complex_);
+  beside_.resize(complex_.n_faces());
+  for (const std::size_t s : walked)
+    for (const FaceId f : faces_[s])
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (brep_.curve_of_edge[f.value][k].valid()) continue;
+        for (const EdgeUse& use : edges.uses(edges.of(f, k)))
+          if (use.face != f && brep_.sheet_of_face[use.face.value].value == s) beside_[f.value][k] = use.face;
+      }
+}
+
+Foot Reference::walk(SheetId sheet, Vec3 p, FaceId from) const {
+  if (beside_.empty() || brep_.sheets[sheet.value].made_up || brep_.sheet_of_face[from.value] != sheet)
+    return project(sheet, p, from);
+  TrianglePoint at = closest_on_triangle(p, complex_.corners(from));
+  double squared = squared_norm(p - at.point);
+  FaceId next;
+  const auto try_face = [&](FaceId f) {
+    const TrianglePoint there = closest_on_triangle(p, complex_.corners(f));
+    const double d = squared_norm(p - there.point);
+    if (d < squared) squared = d, at = there, next = f;
+  };
+  do {
+    const TrianglePoint here = at;
+    next = FaceId{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (here.weight[k] >= 1) {
+        for (const FaceId f : (*around_)[complex_.face[from.value][k]])
+          if (f != from && brep_.sheet_of_face[f.value] == sheet) try_face(f);
+      } else if (here.weight[k] <= 0) {  // on the edge opposite to corner k
+        if (const FaceId f = beside_[from.value][(k + 1) % 3]; f.valid()) try_face(f);
+      }
+    }
+    if (next.valid()) from = next;
+  } while (next.valid());
+  return {at.point, from, std::sqrt(squared)};
+}
+
 Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
   const auto& faces = faces_[sheet.value];
   if (brep_.sheets[sheet.value].made_up) return {p, hint.valid() ? hint : faces.front(), 0};
@@ -75,7 +123,10 @@ Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
   };
   FaceId face = hint;
   double limit = std::numeric_limits<double>::infinity();
-  if (hint.valid() && brep_.sheet_of_face[hint.value] == sheet) limit = squared_distance(hint);
+  if (hint.valid() && brep_.sheet_of_face[hint.value] == sheet) {
+    if (!beside_.empty()) face = walk(sheet, p, hint).face;
+    limit = squared_distance(face);
+  }
   const auto nearest = trees_[sheet.value].nearest(
       p, [&](std::uint32_t i) { return squared_distance(faces[i]); }, limit);
   if (nearest.found()) face = faces[nearest.item];
@@ -85,7 +136,7 @@ Foot Reference::project(SheetId sheet, Vec3 p, FaceId hint) const {
 
 Foot Reference::place(SheetId sheet, Vec3 p, FaceId hint) const {
   const Sheet& s = brep_.sheets[sheet.value];
-  if (!s.planar) return project(sheet, p, hint);
+  if (!s.planar) return hint.valid() ? walk(sheet, p, hint) : project(sheet, p, hint);
   const double height = dot(p - s.origin, s.normal);
   return {p - height * s.normal, hint, std::abs(height)};
 }

@@ -1,12 +1,15 @@
 // The surface and the curves as they were before remeshing: where new vertices must lie.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/complex.hpp"
 #include "geometry/box_tree.hpp"
 #include "zone/brep.hpp"
+#include "zone/edge_table.hpp"
 
 namespace meshgraft {
 
@@ -26,8 +29,11 @@ class Reference {
   /// The nearest place in the sheet; `hint`, if valid, is a face of the sheet likely to be near. In a sheet that is
   /// made up every place is its own foot.
   [[nodiscard]] Foot project(SheetId sheet, Vec3 p, FaceId hint) const;
-  /// Where a vertex wanted at p may stand: the same, or in a planar sheet the foot on its plane (beneath which `hint`
-  /// stays). A border that was pulled off the plane does not draw vertices after it.
+  /// The place reached from a face of the sheet by going on to its neighbours as long as that leads nearer to p. No
+  /// nearer than project(), mostly the same, and several times as fast.
+  [[nodiscard]] Foot walk(SheetId sheet, Vec3 p, FaceId from) const;
+  /// Where a vertex wanted at p may stand: the place that walk() finds, or in a planar sheet the foot on its plane
+  /// (beneath which `hint` stays). A border that was pulled off the plane does not draw vertices after it.
   [[nodiscard]] Foot place(SheetId sheet, Vec3 p, FaceId hint) const;
   [[nodiscard]] Vec3 normal(FaceId f) const;  // unit
   /// Edge length of the input face that a face of the complex is a piece of.
@@ -50,13 +56,18 @@ class Reference {
   [[nodiscard]] double sagitta(CurveId c, double from, double to) const;
 
  private:
+  void find_neighbours();
+
   const Complex& complex_;
   const Brep& brep_;
   std::vector<std::vector<FaceId>> faces_;  // by sheet, ascending
   std::vector<BoxTree> trees_;              // by sheet
-  std::vector<double> edge_length_;         // by face
-  std::vector<double> least_edge_length_;   // by face
-  std::vector<std::vector<Vec3>> points_;   // by curve; empty if no edge of it is in the zone
+  // Where a walk goes on, if any sheet is curved; else empty.
+  std::vector<std::array<FaceId, 3>> beside_;  // by face: in the same sheet, across the edge from corner k to the next
+  std::optional<VertexFaces> around_;
+  std::vector<double> edge_length_;        // by face
+  std::vector<double> least_edge_length_;  // by face
+  std::vector<std::vector<Vec3>> points_;  // by curve; empty if no edge of it is in the zone
   std::vector<std::vector<double>> arcs_;
 };
 
