@@ -64,7 +64,7 @@ std::string row(const scenes::Merge& scene, const NamedMethod& method, const Res
   if (!result) return head + fmt::format("| | | | | | | | {} |\n", name(result.error().code));
   const Report& r = result->merged.report;
   return head + fmt::format("| {:.3f} | {:.3f} | {} | {:.2f} % | {} | {} | {:.0f} ms | {} |\n", r.quality.min,
-                            r.quality.mean, r.quality.below, 100 * r.fidelity.max_distance_relative,
+                            r.quality.mean, r.quality.below, 100 * r.fidelity->max_distance_relative,
                             r.zone.faces_removed, r.zone.faces_created, 1000 * result->seconds, broken(r));
 }
 

@@ -118,6 +118,7 @@ struct Report {
     int widened = 0;             // times the zone was grown to reach the wanted quality
   } zone;
   QualitySummary quality;
+  /// None where no face was replaced but new ones made (filling): there is no surface to measure from.
   struct Fidelity {
     double max_distance = 0, max_distance_relative = 0;  // relative: over the local edge length
     Vec3 at;
@@ -126,7 +127,8 @@ struct Report {
       double max_distance = 0, max_distance_relative = 0;
       Vec3 at;
     } removed;
-  } fidelity;
+  };
+  std::optional<Fidelity> fidelity;
   std::vector<GroupEntry> groups;
   struct Untouched {
     std::uint64_t nodes = 0, elements = 0, bytes = 0;

@@ -120,8 +120,9 @@ std::string quality(const Report& report, const MergeArguments& arguments) {
 }
 
 std::string surface(const Report& report) {
+  if (!report.fidelity) return "no face was replaced, so there is none to be measured from";
   return fmt::format("new mesh at most {} from that of the inputs ({:.2g} % of the edge length there)",
-                     figure(report.fidelity.max_distance), 100 * report.fidelity.max_distance_relative);
+                     figure(report.fidelity->max_distance), 100 * report.fidelity->max_distance_relative);
 }
 
 bool changed(const GroupEntry& g) {

@@ -79,8 +79,10 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   report.quality = std::move(quality.summary);
   append(report.broken_promises, std::move(quality.broken));
   append(report.warnings, std::move(quality.warnings));
-  report.fidelity = fidelity.figures;
-  report.fidelity.removed = coverage.figures;
+  if (outcome.kind != OperationKind::kFill) {
+    report.fidelity = fidelity.figures;
+    report.fidelity->removed = coverage.figures;
+  }
   append(report.broken_promises, std::move(fidelity.broken));
   append(report.broken_promises, std::move(coverage.broken));
 }

@@ -86,6 +86,19 @@ Json json(const Report::Zone& z) {
           {"nodes_created", z.nodes_created}, {"bandwidth", z.bandwidth},         {"widened", z.widened}};
 }
 
+/// Null in each field where nothing was measured.
+Json json(const std::optional<Report::Fidelity>& f) {
+  const auto figures = [&](const auto& of) {
+    return Json{{"max_distance", f ? Json(of.max_distance) : Json()},
+                {"max_distance_relative", f ? Json(of.max_distance_relative) : Json()},
+                {"at", f ? json(of.at) : Json()}};
+  };
+  const Report::Fidelity nothing;
+  Json all = figures(f.value_or(nothing));
+  all["removed"] = figures(f.value_or(nothing).removed);
+  return all;
+}
+
 Json json(const std::vector<std::pair<std::string, double>>& timings) {
   Json all = Json::object();
   for (const auto& [stage, seconds] : timings) all[stage] = seconds;
@@ -103,13 +116,7 @@ std::string to_json(const Report& r) {
   all["overlaps"] = list(r.overlaps);
   all["zone"] = json(r.zone);
   all["quality"] = json(r.quality);
-  all["fidelity"] = {{"max_distance", r.fidelity.max_distance},
-                     {"max_distance_relative", r.fidelity.max_distance_relative},
-                     {"at", json(r.fidelity.at)},
-                     {"removed",
-                      {{"max_distance", r.fidelity.removed.max_distance},
-                       {"max_distance_relative", r.fidelity.removed.max_distance_relative},
-                       {"at", json(r.fidelity.removed.at)}}}};
+  all["fidelity"] = json(r.fidelity);
   all["groups"] = list(r.groups);
   all["untouched"] = {{"nodes", r.untouched.nodes}, {"elements", r.untouched.elements}, {"bytes", r.untouched.bytes}};
   all["dropped"] = list(r.dropped);

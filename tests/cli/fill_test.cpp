@@ -113,4 +113,8 @@ TEST(Fill, RefusesWhatCannotBe) {
 }
 
 }  // namespace
+  for (const auto& figures : {report["fidelity"], report["fidelity"]["removed"]})  // there was no surface
+    for (const char* field : {"max_distance", "max_distance_relative", "at"})
+      EXPECT_TRUE(figures.at(field).is_null()) << field;
+  EXPECT_EQ(outcome.out.find("from that of the inputs"), std::string::npos) << outcome.out;
 }  // namespace meshgraft::cli_tests

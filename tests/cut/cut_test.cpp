@@ -212,7 +212,7 @@ TEST(Cut, ACylinderThroughAPipeLeavesNodesOnBoth) {
   const Merged m = made(base, tool, kDropInside);
   const Model result = expect_laws(base, m);
   EXPECT_EQ(m.report.junction.size(), 2u);
-  EXPECT_LT(m.report.fidelity.max_distance_relative, 0.1);
+  EXPECT_LT(m.report.fidelity->max_distance_relative, 0.1);
   std::size_t on_round = 0;
   for (const Vec3 p : result.position) {
     const double r = std::hypot(p.y, p.z - 1.03);

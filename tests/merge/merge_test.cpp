@@ -44,7 +44,7 @@ TEST(Merge, ARibOnACylinderStaysOnItsSurface) {
   const std::vector<Model> parts{scenes::plate({0.45, 0.11, 0.31}, {0.7, 0, 0}, {0, 0, 1.3}, kSize, "RIB", 0.15)};
   const Merged m = merged(base, parts);
   expect_laws(base, parts, m);
-  EXPECT_LT(m.report.fidelity.max_distance_relative, 0.1);
+  EXPECT_LT(m.report.fidelity->max_distance_relative, 0.1);
 }
 
 TEST(Merge, TwoPartsThatCrossEachOtherAndTheWallMeetInOneNode) {
@@ -197,7 +197,7 @@ TEST(Merge, CoarseTubesKeepTheirSurfaceAndTheirEnds) {
                                  scenes::cylinder({0.02, -1, 0.95}, {0, 1, 0.95}, 0.25, 0.105, "BRANCH_2")};
   const Merged m = merged(base, parts);
   for (const Error& e : m.report.broken_promises) ADD_FAILURE() << to_string(e);
-  EXPECT_LE(m.report.fidelity.max_distance_relative, 0.085);
+  EXPECT_LE(m.report.fidelity->max_distance_relative, 0.085);
   EXPECT_GE(m.report.quality.min, 0.5);
   EXPECT_GE(m.report.quality.mean, 0.83);
 }
@@ -213,7 +213,7 @@ TEST(Merge, SmallFacesAmongLargeOnesOfACurvedMeshAreFollowedToo) {
     const Merged m = merged(base, {stiffener(0.33, 1.61, y, 0.4, 0.4, 0.07)});
     for (const Error& e : m.report.broken_promises) ADD_FAILURE() << to_string(e);
     EXPECT_GE(m.report.quality.min, 0.5);
-    EXPECT_LE(m.report.fidelity.removed.max_distance_relative, 0.1);
+    EXPECT_LE(m.report.fidelity->removed.max_distance_relative, 0.1);
   }
 }
 

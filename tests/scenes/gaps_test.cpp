@@ -30,7 +30,7 @@ TEST_P(Gaps, AreClosedAndEachMoveIsReported) {
   EXPECT_TRUE(report.broken_promises.empty()) << scenes::first_problem(report);
   EXPECT_GE(report.quality.min, scene.min_q);
   EXPECT_GE(report.quality.mean, scene.mean_q);
-  EXPECT_LE(report.fidelity.max_distance_relative, scene.max_off);
+  EXPECT_LE(report.fidelity->max_distance_relative, scene.max_off);
 
   double joined = 0;
   for (const PolylineSummary& p : report.junction) joined += p.length;
