@@ -35,6 +35,9 @@ struct FreeEdges {
   std::vector<Contour> contours;              // as of contours_of()
   std::vector<std::array<NodeId, 2>> others;  // that close no contour: orientations change along them, or they end at
                                               // an edge of three faces
+  /// Pairs of surface elements on the same nodes with a side that no others have. It is free of neither, so that a hole
+  /// beside them is not seen. Ascending.
+  std::vector<std::array<ElementId, 2>> doubled;
 };
 
 [[nodiscard]] FreeEdges free_edges_of(const Model& model);

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/mesh_command.hpp"
 #include "cli/print.hpp"
+#include "fill/chosen.hpp"
 #include "meshgraft/fill.hpp"
 #include "meshgraft/unv.hpp"
 
@@ -20,7 +21,9 @@ ExitCode list(const FillArguments& arguments) {
   const auto model = read_unv(arguments.mesh.base, ReadOptions{.threads = arguments.common.threads});
   if (!model) return failed(model.error());
   print_warnings(model->warnings, arguments.common.talk);
-  const auto [contours, others] = free_edges_of(*model);
+  const FreeEdges edges = free_edges_of(*model);
+  if (const auto hidden = doubled_at_rims(*model, edges)) print_warnings({&*hidden, 1}, arguments.common.talk);
+  const std::vector<Contour>& contours = edges.contours;
   std::vector<std::optional<std::size_t>> around(contours.size());  // the hole in which a contour stands
   for (const OpeningContours& opening : openings_of(*model, contours))
     for (std::size_t k = 1; k < opening.size(); ++k) around[opening[k]] = opening.front();
@@ -32,8 +35,8 @@ ExitCode list(const FillArguments& arguments) {
                            model->node_label[c.nodes.front().value], figure(c.length), figure(c.centre.x),
                            figure(c.centre.y), figure(c.centre.z)));
   }
-  if (contours.empty() && others.empty()) print_line("contours", "none: the mesh has no free edges");
-  if (!others.empty()) print_line("no contour", fmt::format("closed by {} free edges", others.size()));
+  if (contours.empty() && edges.others.empty()) print_line("contours", "none: the mesh has no free edges");
+  if (!edges.others.empty()) print_line("no contour", fmt::format("closed by {} free edges", edges.others.size()));
   return kDone;
 }
 

@@ -1,7 +1,5 @@
 #include "fill/chosen.hpp"
 
-#include <optional>
-
 #include "core/text.hpp"
 #include "merge/inputs.hpp"
 
@@ -42,8 +40,10 @@ std::optional<Warning> no_contour(const Model& base, const FreeEdges& edges) {
       place_of(base, at)};
 }
 
-Failure nothing_to_fill(const Model& base, std::span<const Contour> all, const std::optional<Warning>& open) {
+Failure nothing_to_fill(const Model& base, std::span<const Contour> all, const std::optional<Warning>& open,
+                        const std::optional<Warning>& hidden) {
   const std::string what = "nothing to fill in " + base.path + ": ";
+  if (hidden) return failure(ErrorCode::kUsage, what + hidden->what, "remove one of each pair", hidden->place);
   if (open)
     return failure(ErrorCode::kUsage, what + open->what,
                    "turn the faces alike, or fill the hole before anything is joined beside it", open->place);
@@ -62,11 +62,26 @@ std::string numbers_of(const OpeningContours& opening) {
   return "contours " + joined(numbers);
 }
 
+std::optional<Warning> doubled_at_rims(const Model& base, const FreeEdges& edges) {
+  if (edges.doubled.empty()) return {};
+  const auto [a, b] = edges.doubled.front();
+  const std::size_t n = edges.doubled.size();
+  return Warning{
+      "doubled-face",
+      (n == 1 ? "two elements on the same nodes, "
+              : std::to_string(n) + " pairs of elements on the same nodes, the first ") +
+          std::to_string(base.element_label[a.value]) + " and " + std::to_string(base.element_label[b.value]) +
+          ", have a side that no others have; it does not count as free, so that a hole or a border there is not seen",
+      place_of(base, b)};
+}
+
 Place place_of_contour(const Model& base, const Contour& c) { return place_of(base, c.nodes.front()); }
 
 Result<Openings> chosen(const Model& base, const FreeEdges& edges, const FillOptions& options,
                         std::vector<Warning>& warnings) {
   const std::span<const Contour> all = edges.contours;
+  const auto hidden = doubled_at_rims(base, edges);
+  if (hidden) warnings.push_back(*hidden);
   if (!options.openings.empty()) {
     if (const auto ok = check_named(base, all, options.openings); !ok) return Failure(ok.error());
     return options.openings;
@@ -89,7 +104,7 @@ Result<Openings> chosen(const Model& base, const FreeEdges& edges, const FillOpt
                           place_of_contour(base, all[k])});
   const auto open = no_contour(base, edges);
   if (open) warnings.push_back(*open);
-  if (openings.empty()) return nothing_to_fill(base, all, open);
+  if (openings.empty()) return nothing_to_fill(base, all, open, hidden);
   return openings;
 }
 

@@ -30,7 +30,7 @@ class Finder {
     std::ranges::sort(contours_, [&](const Contour& a, const Contour& b) {
       return a.length != b.length ? a.length > b.length : label(a.nodes.front()) < label(b.nodes.front());
     });
-    return {std::move(contours_), std::move(others_)};
+    return {std::move(contours_), std::move(others_), doubled()};
   }
 
  private:
@@ -54,6 +54,32 @@ class Finder {
       if (at_edge(side.first).size() == 1) free_.push_back(side.second);
     std::ranges::sort(free_,
                       [](const Side& a, const Side& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); });
+  }
+
+  [[nodiscard]] std::vector<NodeId> corners_ascending(ElementId e) const {
+    const Corners c = corners_of(model_.shape(e), model_.nodes_of(e));
+    std::vector<NodeId> nodes(c.node.begin(), c.node.begin() + static_cast<std::ptrdiff_t>(c.n));
+    std::ranges::sort(nodes);
+    return nodes;
+  }
+
+  [[nodiscard]] std::vector<std::array<ElementId, 2>> doubled() const {
+    std::vector<std::array<ElementId, 2>> pairs;
+    for (auto it = sides_.begin(); it != sides_.end();) {
+      const auto there = at_edge(it->first);
+      it += static_cast<std::ptrdiff_t>(there.size());
+      const ElementId first = there.front().second.element;
+      const auto is_other = [&](const auto& side) { return side.second.element != first; };
+      const auto on_same_nodes = [&](const auto& side) {
+        return corners_ascending(side.second.element) == corners_ascending(first);
+      };
+      if (const auto other = std::ranges::find_if(there, is_other);
+          other != there.end() && std::ranges::all_of(there, on_same_nodes))
+        pairs.push_back({first, other->second.element});
+    }
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
   }
 
   [[nodiscard]] std::span<const std::pair<Edge, Side>> at_edge(const Edge& e) const {

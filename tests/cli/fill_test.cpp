@@ -1,6 +1,9 @@
 // The command `fill`: what is listed, what is written, and what is refused.
+#include "meshgraft/fill.hpp"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "meshgraft/check.hpp"
@@ -33,6 +36,42 @@ TEST(Fill, ListsContoursWithTheirNumbers) {
   EXPECT_EQ(folder.run({"fill", "holed.unv", "--list", "-o", "out.unv"}).code, 2);
 }
 
+/// Elements on the same nodes, all around the hole or at one of its sides, are named: they hide it.
+TEST(Fill, NamesDoubledElementsThatHideAHole) {
+  const Folder folder;
+  put_holed(folder);
+  const Model holed = read_unv(folder / "holed.unv").value();
+  const auto with_doubles = [&](std::size_t n) {
+    ModelBuilder builder;
+    for (std::size_t k = 0; k < holed.n_nodes(); ++k) builder.add_node(holed.position[k], holed.node_label[k]);
+    const auto add = [&](ElementId e, std::int64_t label) {
+      builder.add_element(holed.attributes_of(e), holed.nodes_of(e), label);
+    };
+    for (std::size_t k = 0; k < holed.n_elements(); ++k) add(ElementId(k), holed.element_label[k]);
+    std::size_t made = 0;
+    const auto on_rim = contours_of(holed).back().nodes;
+    for (std::size_t k = 0; k < holed.n_elements() && made < n; ++k) {
+      const auto at_rim = [&](NodeId node) { return std::ranges::find(on_rim, node) != on_rim.end(); };
+      const auto nodes = holed.nodes_of(ElementId(k));
+      if (std::count_if(nodes.begin(), nodes.end(), at_rim) < 2) continue;
+      add(ElementId(k), 100'000 + static_cast<std::int64_t>(k));
+      ++made;
+    }
+    return builder.build();
+  };
+  folder.put("one.unv", with_doubles(1));
+  folder.put("all.unv", with_doubles(1000));
+  for (const char* file : {"one.unv", "all.unv"})
+    for (const bool list : {true, false}) {
+      const Outcome outcome = list ? folder.run({"fill", file, "--list"}) : folder.run({"fill", file, "-o", "out.unv"});
+      EXPECT_EQ(outcome.code, list ? 0 : 2) << file << outcome.err;
+      EXPECT_NE(outcome.err.find("on the same nodes"), std::string::npos) << outcome.err;
+      EXPECT_NE(outcome.err.find(" 100"), std::string::npos) << outcome.err;
+      EXPECT_EQ(outcome.out.find("no free edges"), std::string::npos) << outcome.out;
+    }
+  EXPECT_FALSE(folder.has("out.unv"));
+}
+
 TEST(Fill, ListsFreeEdgesThatCloseNoContourToo) {
   const Folder folder;
   folder.put_plates();
@@ -58,6 +97,10 @@ TEST(Fill, WritesTheFilledMeshAndSummarises) {
   EXPECT_EQ(report["zone"]["faces_removed"], 0);
   EXPECT_GT(report["zone"]["faces_created"], 0);
   EXPECT_GE(report["quality"]["min"], 0.5);
+  for (const auto& figures : {report["fidelity"], report["fidelity"]["removed"]})  // there was no surface
+    for (const char* field : {"max_distance", "max_distance_relative", "at"})
+      EXPECT_TRUE(figures.at(field).is_null()) << field;
+  EXPECT_EQ(outcome.out.find("from that of the inputs"), std::string::npos) << outcome.out;
 
   // Up to the end of the old nodes the text is the same.
   const std::string before = folder.text("holed.unv"), after = folder.text("out.unv");
@@ -113,8 +156,4 @@ TEST(Fill, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-  for (const auto& figures : {report["fidelity"], report["fidelity"]["removed"]})  // there was no surface
-    for (const char* field : {"max_distance", "max_distance_relative", "at"})
-      EXPECT_TRUE(figures.at(field).is_null()) << field;
-  EXPECT_EQ(outcome.out.find("from that of the inputs"), std::string::npos) << outcome.out;
 }  // namespace meshgraft::cli_tests
