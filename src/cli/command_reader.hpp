@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <list>
 #include <optional>
+#include <span>
 
 #include "cli/arguments.hpp"
 #include "cli/nearest.hpp"
@@ -40,10 +42,9 @@ class Arguments {
   /// An option that may be given several times.
   void repeated(const std::string& names, const std::string& kind, std::vector<std::string>& into,
                 const std::string& help) {
-    app_.add_option(names, into, help)
-        ->type_name(kind)
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    CLI::Option* option = app_.add_option(names, into, help);
+    repeated_.push_back(option);
+    option->type_name(kind)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   void flag(const std::string& names, bool& into, const std::string& help) { app_.add_flag(names, into, help); }
 
@@ -82,15 +83,21 @@ class Arguments {
       const std::string name = option->get_name(false, false);
       if (option->count() > 1)
         return failure(ErrorCode::kUsage, fmt::format("{} is given {} times", name, option->count()), see_help());
-      if (option->count() == 0) continue;
-      const std::string& text = option->results().back();
-      if (text.empty() || is_option(text))
-        return failure(ErrorCode::kUsage,
-                       text.empty() ? fmt::format("{} has an empty value", name)
-                                    : fmt::format("{} needs a value, but '{}' is an option", name, text),
-                       see_help());
+      if (const auto good = with_values(*option); !good) return good;
     }
+    for (const CLI::Option* option : repeated_)
+      if (const auto good = with_values(*option); !good) return good;
     return {};
+  }
+
+  /// The first option given that is none of `names`, as in "--report".
+  [[nodiscard]] std::optional<std::string> given_beside(std::span<const std::string_view> names) const {
+    for (const CLI::Option* option : app_.get_options()) {
+      if (option->count() == 0 || option->get_lnames().empty()) continue;
+      const std::string name = "--" + option->get_lnames().front();
+      if (std::ranges::find(names, name) == names.end()) return name;
+    }
+    return std::nullopt;
   }
 
   [[nodiscard]] Failure missing(std::string_view what) const {
@@ -100,13 +107,24 @@ class Arguments {
   [[nodiscard]] std::string see_help() const { return fmt::format("see meshgraft {} --help", app_.get_name()); }
 
  private:
+  [[nodiscard]] Result<void> with_values(const CLI::Option& option) const {
+    const std::string name = option.get_name(false, false);
+    for (const std::string& text : option.results()) {
+      if (text.empty()) return failure(ErrorCode::kUsage, fmt::format("{} has an empty value", name), see_help());
+      if (is_option(text))
+        return failure(ErrorCode::kUsage, fmt::format("{} needs a value, but '{}' is an option", name, text),
+                       see_help());
+    }
+    return {};
+  }
+
   [[nodiscard]] bool is_option(const std::string& text) const {
     return text.starts_with("--") || (text.starts_with('-') && app_.get_option_no_throw(text) != nullptr);
   }
 
   CLI::App& app_;
   std::list<std::string> typed_;  // CLI11 keeps references
-  std::vector<const CLI::Option*> values_;
+  std::vector<const CLI::Option*> values_, repeated_;
 };
 
 /// The options that every command has.

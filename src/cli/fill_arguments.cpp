@@ -1,11 +1,18 @@
 #include "cli/fill_arguments.hpp"
 
+#include <array>
 #include <limits>
 #include <ranges>
 
 #include "cli/zone_options.hpp"
 
 namespace meshgraft::cli {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kWithList{"--list", "--threads", "--quiet", "--verbose"};
+
+}  // namespace
 
 FillReader::FillReader(CLI::App& app) : CommandReader(app, "fill", "close holes of the mesh in FILE") {
   a_.name("FILE", out_.mesh.base, "mesh with holes (UNV)");
@@ -32,8 +39,10 @@ Result<void> FillReader::read_own() {
   if (done) done = store(a_, "--blend", blend, o.blend);
   if (done) done = store(a_, "--size", size, o.size);
   if (done) done = read_output_options(a_, out_.mesh);
-  if (done && out_.list && !out_.mesh.output.empty())
-    return failure(ErrorCode::kUsage, "--list writes no mesh, but -o names one", a_.see_help());
+  if (done && out_.list)
+    if (const auto option = a_.given_beside(kWithList))
+      return failure(ErrorCode::kUsage, fmt::format("--list only lists all contours; {} does nothing then", *option),
+                     a_.see_help());
   if (done && !out_.list && out_.mesh.output.empty()) return a_.missing("-o OUT, the file to write,");
   return done;
 }

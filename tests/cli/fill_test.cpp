@@ -33,7 +33,23 @@ TEST(Fill, ListsContoursWithTheirNumbers) {
   EXPECT_NE(outcome.out.find("outer border"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\ncontour 2"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("hole; "), std::string::npos) << outcome.out;
-  EXPECT_EQ(folder.run({"fill", "holed.unv", "--list", "-o", "out.unv"}).code, 2);
+}
+
+TEST(Fill, ListsNothingBesideOptionsThatItWouldIgnore) {
+  const Folder folder;
+  put_holed(folder);
+  const std::vector<std::vector<std::string>> ignored{
+      {"-o", "out.unv"},       {"--report", "r.json"}, {"--contour", "2"},    {"--size", "0.1"},
+      {"--blend", "tangency"}, {"--allow-poor"},       {"--method", "paper"}, {"--min-quality", "0.4"}};
+  for (const auto& option : ignored) {
+    std::vector<std::string> arguments{"fill", "holed.unv", "--list"};
+    arguments.insert(arguments.end(), option.begin(), option.end());
+    const Outcome outcome = folder.run(arguments);
+    EXPECT_EQ(outcome.code, 2) << option.front();
+    EXPECT_EQ(outcome.out, "") << option.front();
+    EXPECT_NE(outcome.err.find(option.front() == "-o" ? "--output" : option.front()), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(folder.run({"fill", "holed.unv", "--list", "-v", "--threads", "2"}).code, 0);
 }
 
 /// Elements on the same nodes, all around the hole or at one of its sides, are named: they hide it.
@@ -140,6 +156,8 @@ TEST(Fill, RefusesWhatCannotBe) {
                                                 {"--contour", "1+1"},
                                                 {"--contour", "1", "--contour", "2+1"},
                                                 {"--contour", "1+9"},
+                                                {"--contour", ""},
+                                                {"--contour", "2", "--contour", ""},
                                                 {"--blend", "smooth"},
                                                 {"--contour", "all", "--contour", "2"},
                                                 {"--size", "-1"}}) {
