@@ -38,7 +38,13 @@ inline Vec3 normalized(Vec3 a) {
   const double length = norm(a);
   return length > 0 ? a / length : Vec3{};
 }
-constexpr bool is_finite(Vec3 a) { return a.x - a.x == 0 && a.y - a.y == 0 && a.z - a.z == 0; }
+/// What a model may have at most: products of six such numbers, as in the squares of volumes, are still finite.
+inline constexpr double kLargestCoordinate = 1e50;
+/// What its box must have at least along one axis, unless that has no size: such products are not rounded to 0.
+inline constexpr double kLeastExtent = 1e-50;
+/// Neither too large nor no number.
+constexpr bool is_coordinate(double x) { return -kLargestCoordinate <= x && x <= kLargestCoordinate; }
+constexpr bool is_place(Vec3 a) { return is_coordinate(a.x) && is_coordinate(a.y) && is_coordinate(a.z); }
 
 /// Axis-aligned box; empty until something is added.
 struct Box {

@@ -83,6 +83,12 @@ std::string numbers(std::initializer_list<Vec3> points) {
 
 Failure senseless(const std::string& what, const std::string& hint) { return failure(ErrorCode::kUsage, what, hint); }
 
+/// Directions too: they say nothing more than those of a length near 1.
+Failure too_far(const std::string& name) {
+  return senseless(name + " has a number beyond " + text_of(kLargestCoordinate) + ", which cannot be calculated with",
+                   "give numbers that are not much larger than those of the mesh");
+}
+
 /// A tool that is hardly thicker than a line, beside edges of the base.
 Failure too_thin(const std::string& name, double width, double edge) {
   return senseless(
@@ -94,8 +100,8 @@ Result<ToolSurface> surface_of(const Model&, const Model* mesh) { return mesh_to
 
 Result<ToolSurface> surface_of(const Model& base, const BoxTool& box) {
   const std::string name = "box " + numbers({box.low, box.high});
-  if (!is_finite(box.low) || !is_finite(box.high) ||
-      !(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
+  if (!is_place(box.low) || !is_place(box.high)) return too_far(name);
+  if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
     return senseless(name + " has no volume", "give the lowest corner first, then the highest: x0,y0,z0,x1,y1,z1");
   const Box around = box_of(base);
   const Vec3 centre = midpoint(box.low, box.high), half = 0.5 * (box.high - box.low);
@@ -136,7 +142,8 @@ Result<ToolSurface> surface_of(const Model& base, const BoxTool& box) {
 Result<ToolSurface> surface_of(const Model& base, const PlaneTool& plane) {
   const std::string name = "plane " + numbers({plane.point, plane.normal});
   const Vec3 n = normalized(plane.normal);
-  if (!is_finite(plane.point) || !is_finite(n) || n == Vec3{})
+  if (!is_place(plane.point) || !is_place(plane.normal)) return too_far(name);
+  if (n == Vec3{})
     return senseless(name + " has no direction", "give a point and a normal that is not zero: x,y,z,nx,ny,nz");
   const auto height = [&](Vec3 p) { return dot(n, p - plane.point); };
   const Box around = box_of(base);
@@ -173,8 +180,8 @@ Result<ToolSurface> surface_of(const Model& base, const PlaneTool& plane) {
 Result<ToolSurface> surface_of(const Model& base, const CylinderTool& cylinder) {
   const std::string name = "cylinder " + numbers({cylinder.point, cylinder.axis}) + "," + exact(cylinder.radius);
   const Vec3 axis = normalized(cylinder.axis);
-  if (!is_finite(cylinder.point) || !is_finite(axis) || axis == Vec3{} || !(cylinder.radius > 0) ||
-      !std::isfinite(cylinder.radius))
+  if (!is_place(cylinder.point) || !is_place(cylinder.axis) || !is_coordinate(cylinder.radius)) return too_far(name);
+  if (axis == Vec3{} || !(cylinder.radius > 0))
     return senseless(name + " has no radius or no direction",
                      "give a point of the axis, a direction that is not zero and a radius above 0: x,y,z,ax,ay,az,r");
   const double r = cylinder.radius;

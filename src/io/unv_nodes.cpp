@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "core/room.hpp"
+#include "core/text.hpp"
 #include "io/unv_pieces.hpp"
 
 namespace meshgraft::unv {
@@ -15,8 +16,16 @@ constexpr std::size_t kHeaderFields = 4;
 constexpr std::size_t kHeaderColumns = kHeaderFields * kIntegerWidth;
 constexpr std::size_t kRealColumns = 3 * kRealWidth;
 
+/// Whether a record can go on with these coordinates; if not, bad_real() says why.
+bool are_good(Cut cut, const Reals& reals) {
+  return cut != Cut::kNone && reals.count >= 2 && std::ranges::all_of(reals.value, is_coordinate);
+}
+
 Fault bad_real(const LineScanner& lines, const Line& line, const Reals& reals, std::int64_t label) {
   const std::string where = "coordinates of node " + std::to_string(label) + ": ";
+  if (const auto far = std::ranges::find_if_not(reals.value, is_coordinate); far != reals.value.end())
+    return {ErrorCode::kBadNumber, line.begin, where + text_of(*far) + " is too large to be calculated with",
+            "correct the node, or choose another unit: no coordinate may be beyond " + text_of(kLargestCoordinate)};
   if (reals.bad.empty())
     return {ErrorCode::kMalformed, line.begin,
             where + "expected 3 reals, found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere};
@@ -73,8 +82,7 @@ tl::expected<NodeRecord, Fault> one_line_record(const LineScanner& lines, const 
     reals_text = lines.view(reals_line), width = kRealWidth, record.end = reals_line.next;
   }
   const Cut reals_cut = parse_reals(reals_text, cut == Cut::kColumns ? width : reals_text.size() + 1, reals);
-  if (reals_cut == Cut::kNone || reals.count < 2)
-    return tl::unexpected(bad_real(lines, reals_line, reals, record.label));
+  if (!are_good(reals_cut, reals)) return tl::unexpected(bad_real(lines, reals_line, reals, record.label));
   record.columns = record.columns && reals_cut == Cut::kColumns;
   take_reals(reals, record);
   return record;
@@ -94,7 +102,7 @@ tl::expected<NodeRecord, Fault> two_line_record(const LineScanner& lines, const 
   const Line second = lines.at(line.next, limit);
   Reals reals;
   const Cut reals_cut = parse_reals(lines.view(second), kRealWidth, reals);
-  if (reals_cut == Cut::kNone || reals.count < 2) return tl::unexpected(bad_real(lines, second, reals, record.label));
+  if (!are_good(reals_cut, reals)) return tl::unexpected(bad_real(lines, second, reals, record.label));
   record.columns = cut == Cut::kColumns && reals_cut == Cut::kColumns;
   record.end = second.next;
   take_reals(reals, record);
@@ -117,7 +125,7 @@ bool fast_record(const Document& d, std::size_t begin, std::size_t limit, NodeRe
     like = header;
   }
   if (!fast_real(reals, record.position.x) || !fast_real(reals + kRealWidth, record.position.y) ||
-      !fast_real(reals + 2 * kRealWidth, record.position.z))
+      !fast_real(reals + 2 * kRealWidth, record.position.z) || !is_place(record.position))
     return false;
   record.end = begin + kHeaderColumns + kRealColumns + 2 * feed;
   return true;

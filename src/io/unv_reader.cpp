@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/room.hpp"
+#include "core/text.hpp"
 #include "io/coordinate_systems.hpp"
 #include "io/label_index.hpp"
 #include "io/units.hpp"
@@ -38,6 +39,7 @@ class Reader {
         if (auto done = checked(dataset, read_nodes(d_, dataset, model_, named_systems_, model_.warnings)); !done)
           return tl::unexpected(done.error());
     if (auto fault = index_nodes()) return tl::unexpected(std::move(*fault));
+    if (auto fault = too_small()) return tl::unexpected(std::move(*fault));
     for (const Dataset& dataset : d_.datasets)
       if (dataset.kind() == DatasetKind::kElements)
         if (auto done = checked(dataset, read_elements(d_, dataset, nodes_, model_, model_.warnings)); !done)
@@ -59,6 +61,18 @@ class Reader {
   }
 
  private:
+  [[nodiscard]] std::optional<Fault> too_small() const {
+    Box box;
+    for (const Vec3& p : model_.position) box.add(p);
+    if (box.empty()) return std::nullopt;
+    const Vec3 extent = box.high - box.low;
+    const double most = std::max({extent.x, extent.y, extent.z});
+    if (most == 0 || most >= kLeastExtent) return std::nullopt;
+    return Fault{ErrorCode::kBadNumber, model_.node_place.front(),
+                 "all nodes are within " + text_of(most) + " of each other, which is too small to be calculated with",
+                 "choose another unit of length: a mesh must be " + text_of(kLeastExtent) + " across at least"};
+  }
+
   /// Some programs leave out the last delimiter, but a file that was cut between two records looks the same.
   [[nodiscard]] Fault without_end() const {
     return {ErrorCode::kTruncated, d_.lines.text.size() - 1,

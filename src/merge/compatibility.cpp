@@ -39,14 +39,14 @@ Result<void> check_options(const MergeOptions& o) {
 
 Result<void> check_numbers(const Model& model) {
   const auto bad = collected<NodeId>(model.n_nodes(), [&](std::size_t n, std::vector<NodeId>& out) {
-    if (!is_finite(model.position[n])) out.emplace_back(n);
+    if (!is_place(model.position[n])) out.emplace_back(n);
   });
   if (bad.empty()) return {};
   const NodeId node = bad.front();
   return failure(
       ErrorCode::kBadNumber,
       "node " + std::to_string(model.node_label[node.value]) + " is at " + text_of(model.position[node.value]),
-      "a coordinate must be a finite number", place_of(model, node));
+      "a coordinate must be a number, and not beyond " + text_of(kLargestCoordinate), place_of(model, node));
 }
 
 Result<void> check_units(Inputs inputs) {

@@ -44,6 +44,35 @@ TEST(UnvErrors, CoordinatesThatAreNoNumbers) {
   }
 }
 
+TEST(UnvErrors, CoordinatesThatCannotBeCalculatedWith) {
+  const auto coordinate = [](const std::string& x) { return std::string(25 - x.size(), ' ') + x; };
+  for (const std::string far : {"1.0000000000000000D+51", "-9.999999999999999D+307", "1.7D+308", "1e60"})
+    for (int axis = 0; axis < 3; ++axis) {
+      std::string reals;
+      for (int k = 0; k < 3; ++k) reals += coordinate(k == axis ? far : "1.0000000000000000D+00");
+      const Error e = error_of(dataset("2411", node(7, reals)));
+      EXPECT_EQ(e.code, ErrorCode::kBadNumber) << far;
+      EXPECT_EQ(e.place.line, 4u);
+      EXPECT_NE(e.what.find("node 7"), std::string::npos) << e.what;
+      EXPECT_NE(e.what.find("too large"), std::string::npos) << e.what;
+    }
+  const std::string largest = coordinate("1.0000000000000000D+50");
+  EXPECT_EQ(read(dataset("2411", node(7, largest + largest + largest))).position.front().x, 1e50);
+}
+
+TEST(UnvErrors, MeshesTooSmallToBeCalculatedWith) {
+  const auto nodes = [](const std::string& x) {
+    const std::string zero = "   0.0000000000000000D+00", other = std::string(25 - x.size(), ' ') + x;
+    return dataset("2411", node(7, zero + zero + zero) + node(8, zero + other + zero));
+  };
+  const Error e = error_of(nodes("1.0000000000000000D-51"));
+  EXPECT_EQ(e.code, ErrorCode::kBadNumber);
+  EXPECT_NE(e.what.find("1e-51"), std::string::npos) << e.what;
+  EXPECT_GT(e.place.line, 0u);
+  EXPECT_EQ(read(nodes("1.0000000000000001D-50")).n_nodes(), 2u);
+  EXPECT_EQ(read(nodes("0.0000000000000000D+00")).n_nodes(), 2u);  // degenerate, not small
+}
+
 TEST(UnvErrors, EveryCutInsideTheMeshIsNoticed) {
   const std::string text = mesh();
   const Model whole = read(text);
