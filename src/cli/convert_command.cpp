@@ -26,10 +26,11 @@ ExitCode run(const ConvertArguments& arguments) {
   print_warnings(model->warnings, arguments.common.talk);
 
   progress.show("writing", 0.5);
+  const bool stdout_is_taken = is_stdout(arguments.output);
   const auto written = write_unv(*model, arguments.output);
   progress.clear();
   if (!written) return failed(written.error());
-  if (!quiet) print_line("written", printable(arguments.output));
+  if (!quiet && !stdout_is_taken) print_line("written", printable(arguments.output));
   return kDone;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/formats.hpp"
 #include "cli/merge_outputs.hpp"
 #include "cli/merge_summary.hpp"
+#include "cli/outputs.hpp"
 #include "cli/print.hpp"
 #include "cli/progress.hpp"
 #include "io/digest.hpp"
@@ -87,6 +88,7 @@ Result<std::string> write(const MergeArguments& arguments, const MeshCommand& co
 ExitCode run(const MeshCommand& command, const MergeArguments& arguments) {
   if (const auto good = check_files(command, arguments); !good) return failed(good.error());
   const bool quiet = arguments.common.talk == Talk::kQuiet;
+  const bool stdout_is_taken = is_stdout(arguments.output) || is_stdout(arguments.report);
   Progress progress(!quiet);
   const Stopwatch::Progress show = [&](std::string_view stage, double done) { progress.show(stage, done); };
   Stopwatch watch(show);
@@ -113,7 +115,7 @@ ExitCode run(const MeshCommand& command, const MergeArguments& arguments) {
   progress.clear();
   if (!written) return failed(written.error());
   print_warnings(std::span(report.warnings).subspan(told), arguments.common.talk);
-  if (!quiet) print_summary(report, arguments, *written);
+  if (!quiet && !stdout_is_taken) print_summary(report, arguments, *written);
   if (!report.broken_promises.empty()) return kPromiseNotMet;
   return parts_apart(report) ? kPartsDoNotMeet : kDone;
 }

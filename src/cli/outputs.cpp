@@ -1,6 +1,7 @@
 #include "cli/outputs.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstring>
@@ -59,6 +60,13 @@ bool is_replaced(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+bool is_stdout(const std::string& path) {
+  struct ::stat named {
+  }, ours{};
+  return ::stat(path.c_str(), &named) == 0 && ::fstat(STDOUT_FILENO, &ours) == 0 && named.st_dev == ours.st_dev &&
+         named.st_ino == ours.st_ino;
 }
 
 Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {

@@ -22,4 +22,7 @@ struct NamedFile {
 /// written in place.
 [[nodiscard]] bool is_replaced(const std::string& path);
 
+/// Whether what is written to `path` goes where stdout goes, so that nothing else may be printed there.
+[[nodiscard]] bool is_stdout(const std::string& path);
+
 }  // namespace meshgraft::cli

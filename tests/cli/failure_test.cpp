@@ -82,6 +82,17 @@ TEST(InputBelowAFile, CannotBeRead) {
 TEST(EmptyInput, IsRefused) {
   expect_no_output({"merge", "base.unv", "empty.unv", "-o", "out.unv"}, 3, {"empty.unv", "[empty-file]"});
   expect_no_output({"merge", "base.unv", "hole.unv", "-o", "out.unv"}, 3, {"hole.unv", "[empty-file]"});
+  // With a summary, it would be the end of the mesh.
+  const Outcome talking =
+      folder.run_program("/bin/sh", {"-c", "\"$0\" merge base.unv part.unv -o /dev/stdout | cat", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(talking.out, merged.out);
+  const Outcome converted =
+      folder.run_program("/bin/sh", {"-c", "\"$0\" convert base.unv /dev/stdout | cat", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(converted.out, folder.text("base.unv"));
+  const Outcome reported = folder.run_program(
+      "/bin/sh",
+      {"-c", "\"$0\" merge base.unv part.unv -o /dev/null --report /dev/stdout | tail -c 2", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(reported.out, "}\n");
 }
 
 TEST(InputOfAnotherFormat, IsRefused) {
