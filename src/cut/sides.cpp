@@ -134,6 +134,11 @@ Result<std::vector<std::uint8_t>> pieces_of_group(const Model& base, const BaseP
   if (!inside && !outside)
     return failure(ErrorCode::kUsage, "group " + name + " has no face in a piece that " + tool + " cuts off",
                    "name a group that has faces there, or give inside or outside");
+  if (std::ranges::find(goes, 0) == goes.end())
+    return failure(
+        ErrorCode::kPartsApart,
+        "group " + name + " has faces in all pieces of " + base.path + ", so that all of it would be dropped",
+        "check the place, the size and the units of the tool", {base.path, 0});
   return goes;
 }
 

@@ -283,6 +283,9 @@ TEST(Cut, AGroupChoosesThePieceAndNothingElseIsCut) {
 
   EXPECT_EQ(code_of(base, PlaneTool{{1.23, 0, 0}, {1, 0, 0}}, dropping(Drop::What::kGroup, "ONE")), ErrorCode::kUsage);
   EXPECT_EQ(code_of(base, PlaneTool{{1.23, 0, 0}, {1, 0, 0}}, dropping(Drop::What::kGroup, "NONE")), ErrorCode::kUsage);
+  // The tool touches the base at its border only: nothing would be left.
+  EXPECT_EQ(code_of(plate(0), BoxTool{{0, 0, -1}, {2, 1, 1}}, dropping(Drop::What::kGroup, "PLATE")),
+            ErrorCode::kPartsApart);
 }
 
 TEST(Cut, AToolThatMissesIsPartsApart) {
