@@ -139,7 +139,8 @@ struct CommonOptions {
 
   [[nodiscard]] Result<Common> read(const Arguments& a) const {
     Common common;
-    if (quiet && verbose) return failure(ErrorCode::kUsage, "--quiet and --verbose contradict each other");
+    if (quiet && verbose)
+      return failure(ErrorCode::kUsage, "--quiet and --verbose contradict each other", a.see_help());
     common.talk = quiet ? Talk::kQuiet : verbose ? Talk::kVerbose : Talk::kNormal;
     if (const auto typed = a.typed("--threads")) {
       const auto n = integer_in(*typed, 1, kMostThreads, "a number from 1 to 1024");

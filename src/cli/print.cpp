@@ -23,15 +23,18 @@ void print_line(std::string_view label, std::string_view text) {
   say(stdout, "{}\n", text);
 }
 
-void print_error(const Error& error) {
+void print_error(const Error& found) {
+  const Error error{
+      found.code, printable(found.what), printable(found.hint), {printable(found.place.file), found.place.line}};
   // An error of no file still begins with a name, as every compiler's does.
   say(stderr, "{}{}\n", error.place.file.empty() ? "meshgraft: " : "", to_string(error));
 }
 
 void print_warnings(std::span<const Warning> warnings, Talk talk) {
   std::map<std::string, std::size_t> met;
-  for (const Warning& warning : warnings) {
-    if (++met[warning.name] > kWarningsOfAName && talk != Talk::kVerbose) continue;
+  for (const Warning& found : warnings) {
+    if (++met[found.name] > kWarningsOfAName && talk != Talk::kVerbose) continue;
+    const Warning warning{found.name, printable(found.what), {printable(found.place.file), found.place.line}};
     say(stderr, "{}{}\n", warning.place.file.empty() ? "meshgraft: " : "", to_string(warning));
   }
   if (talk == Talk::kVerbose) return;

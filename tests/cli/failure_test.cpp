@@ -62,6 +62,18 @@ TEST(InputWithoutEnd, IsGivenUpWhereMemoryEnds) {
   EXPECT_NE(outcome.err.find("/dev/stdin: error [cannot-read]"), std::string::npos) << outcome.err;
 }
 
+TEST(MessagesAboutText, HoldNothingThatWouldUpsetATerminal) {
+  const Folder folder;
+  folder.put_plates();
+  std::string text = folder.text("base.unv");
+  text.replace(text.find("0.0000000000000000", text.find("\n  2411\n")), 4, "\x1b[2J");
+  folder.put("wild.unv", text);
+  const Outcome outcome = folder.run({"info", "wild.unv"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
+  EXPECT_NE(outcome.err.find("?[2J"), std::string::npos) << outcome.err;
+}
+
 TEST(PipeOrDeviceAsOutput, IsWrittenInPlace) {
   const Folder folder;
   folder.put_plates();
@@ -70,6 +82,17 @@ TEST(PipeOrDeviceAsOutput, IsWrittenInPlace) {
       "/bin/sh", {"-c", "\"$0\" merge base.unv part.unv -q -o /dev/stdout | cat", MESHGRAFT_PROGRAM});
   EXPECT_EQ(merged.err, "");
   EXPECT_EQ(folder.run({"merge", "base.unv", "part.unv", "-q", "-o", "/dev/null"}).code, 0);
+  // With a summary, it would be the end of the mesh.
+  const Outcome talking =
+      folder.run_program("/bin/sh", {"-c", "\"$0\" merge base.unv part.unv -o /dev/stdout | cat", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(talking.out, merged.out);
+  const Outcome converted =
+      folder.run_program("/bin/sh", {"-c", "\"$0\" convert base.unv /dev/stdout | cat", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(converted.out, folder.text("base.unv"));
+  const Outcome reported = folder.run_program(
+      "/bin/sh",
+      {"-c", "\"$0\" merge base.unv part.unv -o /dev/null --report /dev/stdout | tail -c 2", MESHGRAFT_PROGRAM});
+  EXPECT_EQ(reported.out, "}\n");
   EXPECT_EQ(folder.files(), before);
   ASSERT_EQ(folder.run({"merge", "base.unv", "part.unv", "-q", "-o", "out.unv"}).code, 0);
   EXPECT_EQ(merged.out, folder.text("out.unv"));
@@ -82,17 +105,6 @@ TEST(InputBelowAFile, CannotBeRead) {
 TEST(EmptyInput, IsRefused) {
   expect_no_output({"merge", "base.unv", "empty.unv", "-o", "out.unv"}, 3, {"empty.unv", "[empty-file]"});
   expect_no_output({"merge", "base.unv", "hole.unv", "-o", "out.unv"}, 3, {"hole.unv", "[empty-file]"});
-  // With a summary, it would be the end of the mesh.
-  const Outcome talking =
-      folder.run_program("/bin/sh", {"-c", "\"$0\" merge base.unv part.unv -o /dev/stdout | cat", MESHGRAFT_PROGRAM});
-  EXPECT_EQ(talking.out, merged.out);
-  const Outcome converted =
-      folder.run_program("/bin/sh", {"-c", "\"$0\" convert base.unv /dev/stdout | cat", MESHGRAFT_PROGRAM});
-  EXPECT_EQ(converted.out, folder.text("base.unv"));
-  const Outcome reported = folder.run_program(
-      "/bin/sh",
-      {"-c", "\"$0\" merge base.unv part.unv -o /dev/null --report /dev/stdout | tail -c 2", MESHGRAFT_PROGRAM});
-  EXPECT_EQ(reported.out, "}\n");
 }
 
 TEST(InputOfAnotherFormat, IsRefused) {
