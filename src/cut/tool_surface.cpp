@@ -200,10 +200,10 @@ Result<ToolSurface> surface_of(const Model& base, const CylinderTool& cylinder) 
   const std::vector<double> at = ticks(low - beyond, high + beyond, low, high, step);
   const auto [u, v] = directions_across(axis);
   LatticeBuilder lattice;
-  const auto node = [&, u_ = u, v_ = v](std::size_t i, std::size_t j) {
+  const auto node = [&, first = u, second = v](std::size_t i, std::size_t j) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i % n) / static_cast<double>(n);
     return lattice.node({i % n, j, 0},
-                        cylinder.point + at[j] * axis + r * (std::cos(angle) * u_ + std::sin(angle) * v_));
+                        cylinder.point + at[j] * axis + r * (std::cos(angle) * first + std::sin(angle) * second));
   };
   const NodeId bottom = lattice.node({0, 0, 1}, cylinder.point + at.front() * axis);
   const NodeId top = lattice.node({0, 1, 1}, cylinder.point + at.back() * axis);
