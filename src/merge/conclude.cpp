@@ -123,6 +123,9 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   append(report.broken_promises, std::move(ledger.broken));
   append(report.warnings, std::move(ledger.warnings));
 
+  if (!report.broken_promises.empty())
+    if (auto flat = flat_face_error(inputs, graft)) return Failure(std::move(*flat));
+
   watch.stop();
   report.timings = watch.timings();
   report.peak_memory_bytes = peak_memory_bytes();

@@ -26,7 +26,8 @@ struct Operation {
 };
 
 /// Stitches, gives labels, checks, and completes the report with all that is told by these; `merged`
-/// has the groups of the graft already. Error kLabelOverflow.
+/// has the groups of the graft already. Errors kLabelOverflow, and
+/// kDegenerateFace where promises are broken and a face without area had to be remeshed.
 [[nodiscard]] Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merged);
 
 }  // namespace meshgraft

@@ -4,10 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/quality.hpp"
 #include "merge/mesh_distance.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr double kNoHeight = 1e-6;  // of a face, over its longest side: it has no area
 
 std::string hint_of(ErrorCode code) {
   switch (code) {
@@ -38,6 +41,22 @@ Error to_error(Inputs inputs, const JunctionFault& fault) {
     error.place = place_of(*inputs[first.input], first.element);
   }
   return error;
+}
+
+std::optional<Error> flat_face_error(Inputs inputs, const Graft& graft) {
+  std::optional<ElementRef> first;
+  for (const NewElement& e : graft.new_elements) {
+    const Model& model = *inputs[e.parent.input];
+    if (!model.is_face(e.parent.element) || (first && *first <= e.parent)) continue;
+    const Triangle t = model.corners(e.parent.element);
+    const double longest = std::max({distance(t[0], t[1]), distance(t[1], t[2]), distance(t[2], t[0])});
+    if (2 * area(t) <= kNoHeight * longest * longest) first = e.parent;
+  }
+  if (!first) return std::nullopt;
+  return to_error(inputs, {ErrorCode::kDegenerateFace,
+                           "a face without area would have to be remeshed",
+                           {*first},
+                           centroid(inputs[first->input]->corners(first->element))});
 }
 
 namespace {

@@ -9,6 +9,7 @@
 #include "core/components.hpp"
 #include "intersect/corefine.hpp"
 #include "merge/inputs.hpp"
+#include "meshgraft/graft.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
@@ -16,6 +17,9 @@ namespace meshgraft {
 
 /// A junction that could not be made, as an error with labels.
 [[nodiscard]] Error to_error(Inputs inputs, const JunctionFault& fault);
+
+/// kDegenerateFace for the first face without area that new elements replace: nothing that was made there can be right.
+[[nodiscard]] std::optional<Error> flat_face_error(Inputs inputs, const Graft& graft);
 
 /// Places within the tolerance at which the parts were not joined, as broken promises with labels.
 [[nodiscard]] std::vector<Error> open_gap_errors(Inputs inputs, std::span<const Corefined::OpenGap> gaps);

@@ -21,6 +21,45 @@ namespace {
 
 using namespace merge_laws;
 
+/// A wall with a node in the middle of one edge, on one side only: a face without area closes the slit.
+Model wall_with_flat_face(Vec3 near) {
+  const Model whole = wall(0);
+  ModelBuilder builder;
+  for (const Vec3 p : whole.position) builder.add_node(p);
+  bool is_cut = false;
+  for (std::size_t e = 0; e < whole.n_elements(); ++e) {
+    const auto v = whole.nodes_of(ElementId(e));
+    const Triangle t = whole.corners(ElementId(e));
+    if (is_cut || distance(centroid(t), near) > 0.6 * kSize) {
+      builder.add_face(v[0], v[1], v[2]);
+      continue;
+    }
+    is_cut = true;
+    const NodeId middle = builder.add_node(midpoint(t[0], t[1]));
+    builder.add_face(v[0], middle, v[2]), builder.add_face(middle, v[1], v[2]), builder.add_face(v[0], v[1], middle);
+  }
+  return builder.build();
+}
+
+/// Many are replaced by good ones; the others are named.
+TEST(Merge, AFaceWithoutAreaThatCannotBeRemeshedIsNamed) {
+  const Model part = stiffener(0.43, 1.57, 0.97, 0.3, 0.4);
+  int n_merged = 0, n_named = 0;
+  for (const double x : {0.6, 0.83, 1.0, 1.17})
+    for (const double y : {0.95, 1.03, 1.1, 1.17, 1.8}) {
+      const auto result = merge(wall_with_flat_face({x, y, 0}), std::span(&part, 1));
+      if (result) {
+        EXPECT_TRUE(result->report.broken_promises.empty()) << to_string(result->report.broken_promises.front());
+        ++n_merged;
+      } else {
+        EXPECT_EQ(result.error().code, ErrorCode::kDegenerateFace) << to_string(result.error());
+        if (result.error().what.find("would have to be remeshed") != std::string::npos) ++n_named;
+      }
+    }
+  EXPECT_GE(n_merged, 4);
+  EXPECT_GE(n_named, 1);
+}
+
 TEST(Merge, ACrossingPlateKeepsAllPromises) {
   const Model base = wall();
   const std::vector<Model> parts{stiffener(0.33, 1.61, 0.97, 0.31, 0.43)};
