@@ -1,6 +1,8 @@
 // Memory for arrays with a value for each node or element of a large model.
 #pragma once
 
+#include <tbb/parallel_invoke.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +20,12 @@ void make_room(std::vector<T>& values, std::size_t n) {
   values.reserve(n);
   T* const fresh = values.data() + values.size();
   prefer_large_pages(fresh, (values.capacity() - values.size()) * sizeof(T));
+}
+
+/// Arrays of `n` values each, all at the same time: to write the first value of each page takes long.
+template <class... Ts>
+void resize_all(std::size_t n, std::vector<Ts>&... values) {
+  tbb::parallel_invoke([&] { make_room(values, n), values.resize(n); }...);
 }
 
 }  // namespace meshgraft

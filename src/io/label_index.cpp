@@ -1,7 +1,10 @@
 #include "io/label_index.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+
+#include "core/blocks.hpp"
 
 namespace meshgraft {
 namespace {
@@ -10,18 +13,22 @@ namespace {
 constexpr std::uint64_t kDirectEntriesPerLabel = 4;
 
 bool consecutive(std::span<const std::int64_t> labels) {
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    if (labels[i] - 1 != labels[i - 1]) return false;
-  return true;
+  std::atomic<bool> good = true;
+  for_blocks(labels.size() - 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last && good.load(std::memory_order_relaxed); ++i)
+      if (labels[i + 1] - 1 != labels[i]) good = false;
+  });
+  return good;
 }
 
 }  // namespace
 
 LabelIndex::LabelIndex(std::span<const std::int64_t> labels) : labels_(labels) {
   if (labels.empty()) return;
-  lowest_ = labels.front();
+  lowest_ = labels.front(), largest_ = labels.back();
   if (consecutive(labels)) return;
   const auto [low, high] = std::ranges::minmax(labels);
+  largest_ = high;
   const std::uint64_t range = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
   const auto n = static_cast<std::uint32_t>(labels.size());
   if (range < kDirectEntriesPerLabel * n) {

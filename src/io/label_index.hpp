@@ -37,6 +37,8 @@ class LabelIndex {
     return kNone;
   }
   [[nodiscard]] bool contains(std::int64_t label) const { return find(label) != kNone; }
+  /// 0 without labels.
+  [[nodiscard]] std::int64_t largest() const { return largest_; }
   [[nodiscard]] const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
  private:
@@ -46,7 +48,7 @@ class LabelIndex {
   [[nodiscard]] std::size_t slot(std::int64_t label) const;
 
   Form form_ = Form::kConsecutive;
-  std::int64_t lowest_ = 0;
+  std::int64_t lowest_ = 0, largest_ = 0;
   std::span<const std::int64_t> labels_;
   std::vector<std::uint32_t> table_;
   std::vector<Duplicate> duplicates_;

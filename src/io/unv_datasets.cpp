@@ -1,11 +1,10 @@
 #include "io/unv_datasets.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
 
+#include "io/unv_delimiters.hpp"
 #include "io/unv_groups.hpp"
 #include "io/unv_numbers.hpp"
 
@@ -13,53 +12,7 @@ namespace meshgraft::unv {
 namespace {
 
 constexpr std::size_t kNumberColumns = 6;
-constexpr std::size_t kScanPiece = std::size_t{4} << 20;  // bytes looked through by one task
 constexpr std::int64_t kLargestDataset = 99'999;
-
-/// First offset >= `at` and < `last` at which `pattern` begins, or `last`. The last two characters of a
-/// delimiter, and the end of the line before it, are rare together: blocks are passed over by these alone, which
-/// compilers turn into vector code, several times as fast as going from line to line.
-std::size_t find_rare(std::string_view text, std::string_view pattern, std::size_t at, std::size_t last) {
-  constexpr std::size_t kBlock = 256;
-  const std::size_t n = pattern.size();
-  const char front = pattern.front(), next_to_last = pattern[n - 2], back = pattern.back();
-  const std::size_t end = std::min(last, text.size() >= n ? text.size() - n + 1 : 0);
-  for (; at + kBlock <= end; at += kBlock) {
-    const char* begin = text.data() + at;
-    unsigned char any = 0;
-    for (std::size_t k = 0; k < kBlock; ++k)
-      any = static_cast<unsigned char>(any | static_cast<unsigned char>((begin[k] == front) &
-                                                                        (begin[k + n - 2] == next_to_last) &
-                                                                        (begin[k + n - 1] == back)));
-    if (any == 0) continue;
-    for (std::size_t k = 0; k < kBlock; ++k)
-      if (text.compare(at + k, n, pattern) == 0) return at + k;
-  }
-  for (; at < end; ++at)
-    if (text.compare(at, n, pattern) == 0) return at;
-  return last;
-}
-
-/// Offsets of all lines that are delimiters, ascending. Inside binary data these may be false.
-std::vector<std::size_t> delimiter_lines(const Document& d) {
-  const std::string_view text = d.lines.text;
-  const std::string_view start = d.delimiter.empty() ? std::string_view("    -1") : std::string_view(d.delimiter);
-  const std::string pattern = d.lines.terminator + std::string(start);
-  const std::size_t n = (text.size() + kScanPiece - 1) / kScanPiece;
-  std::vector<std::vector<std::size_t>> found(n);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t piece) {
-    // A piece owns the line ends in it, and the lines that follow them.
-    const std::size_t begin = std::max(piece * kScanPiece, d.first);
-    const std::size_t last = std::min((piece + 1) * kScanPiece, text.size());
-    if (piece == 0 && text.substr(d.first).starts_with(start) && d.is_delimiter(d.lines.at(d.first)))
-      found[piece].push_back(d.first);
-    for (std::size_t at = find_rare(text, pattern, begin, last); at < last; at = find_rare(text, pattern, at + 1, last))
-      if (d.is_delimiter(d.lines.at(at + 1))) found[piece].push_back(at + 1);
-  });
-  std::vector<std::size_t> all;
-  for (const auto& piece : found) all.insert(all.end(), piece.begin(), piece.end());
-  return all;
-}
 
 struct Number {
   std::int64_t value = 0;
@@ -124,15 +77,18 @@ std::optional<Line> first_text(const Document& d, std::size_t at, std::size_t li
 
 class StateMachine {
  public:
-  StateMachine(Document& d, std::vector<Warning>& warnings) : d_(d), warnings_(warnings) {}
+  StateMachine(Document& d, LikeRecords like_records, std::vector<Warning>& warnings)
+      : d_(d), like_records_(like_records), warnings_(warnings) {}
 
   tl::expected<void, Fault> run() {
-    const std::vector<std::size_t> delimiters = delimiter_lines(d_);
     if (auto done = start_without_delimiter(); !done) return done;
+    Delimiters delimiters(d_);
     std::size_t from = 0;  // delimiters before this offset are data
-    for (const std::size_t at : delimiters) {
-      if (at < from) continue;
-      if (auto done = delimiter(d_.lines.at(at)); !done) return done;
+    for (std::size_t at = delimiters.next(from); at < d_.lines.text.size(); at = delimiters.next(from)) {
+      const Line line = d_.lines.at(at);
+      from = line.next;
+      if (auto done = delimiter(line); !done) return done;
+      if (inside_ && current().open == at) from = std::max(from, pass_over());
       // The delimiter after binary data need not be at the start of a line.
       while (resume_ > 0 && inside_) {
         const std::size_t end = std::exchange(resume_, 0);
@@ -167,6 +123,15 @@ class StateMachine {
       resume_ = *end;
     }
     return {};
+  }
+
+  /// Where to look for the end of the current dataset, which has just begun.
+  std::size_t pass_over() {
+    const Dataset& dataset = current();
+    if (like_records_ == LikeRecords::kLookedAt || !d_.delimiter.empty()) return dataset.body;
+    const std::size_t end = end_of_like_records(d_, dataset);
+    d_.passed_over = d_.passed_over || end > dataset.body;
+    return end;
   }
 
   void close(std::size_t body_end, std::size_t end, bool closed) {
@@ -246,6 +211,7 @@ class StateMachine {
   }
 
   Document& d_;
+  LikeRecords like_records_;
   std::vector<Warning>& warnings_;
   bool inside_ = false;
   std::size_t resume_ = 0;
@@ -262,7 +228,7 @@ tl::expected<void, Fault> unknown_format(const Document& d) {
 
 }  // namespace
 
-tl::expected<void, Fault> find_datasets(Document& d, std::vector<Warning>& warnings) {
+tl::expected<void, Fault> find_datasets(Document& d, LikeRecords like_records, std::vector<Warning>& warnings) {
   const auto line = first_text(d, d.first, d.lines.text.size());
   if (!line) return tl::unexpected(Fault{ErrorCode::kEmptyFile, 0, "the file is empty", "export the mesh again"});
   const std::string_view content = right_trimmed(d.lines.view(*line));
@@ -274,7 +240,7 @@ tl::expected<void, Fault> find_datasets(Document& d, std::vector<Warning>& warni
   } else if (!d.is_delimiter(*line) && !likely_format(d.lines.text.substr(d.first)).empty()) {
     return unknown_format(d);
   }
-  if (auto done = StateMachine(d, warnings).run(); !done) return done;
+  if (auto done = StateMachine(d, like_records, warnings).run(); !done) return done;
   if (d.datasets.empty()) return unknown_format(d);
   return {};
 }

@@ -107,7 +107,13 @@ Warning Document::warning(std::string name, std::string what, std::size_t offset
 
 bool Document::is_delimiter(const Line& line) const {
   const std::string_view content = right_trimmed(lines.view(line));
-  return delimiter.empty() ? content == "    -1" : content == delimiter;
+  return delimiter.empty() ? content == kUsualDelimiter : content == delimiter;
+}
+
+void Document::forget_datasets() {
+  passed_over = false;
+  delimiter.clear();
+  datasets.clear(), groups.clear(), double_nodes.clear(), double_elements.clear();
 }
 
 std::size_t Document::dataset_at(std::size_t offset) const {

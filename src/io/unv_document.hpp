@@ -21,6 +21,8 @@ enum class DatasetKind : std::uint8_t { kOther, kNodes, kElements, kGroups };
 
 [[nodiscard]] DatasetKind kind_of(std::int64_t number);
 
+inline constexpr std::string_view kUsualDelimiter = "    -1";  // perhaps with blanks behind it
+
 /// Byte offsets. A well-formed dataset is: delimiter at `open`, number line, records in
 /// [body, body_end), delimiter, end.
 struct Dataset {
@@ -86,6 +88,11 @@ class Document final : public Source {
     return lines.text[at] == line_end[0] && (line_end.size() == 1 || lines.text[at + 1] == line_end[1]);
   }
   [[nodiscard]] bool is_delimiter(const Line& line) const;
+
+  /// Whether datasets were taken for longer than what was looked at, which holds if they can be read.
+  bool passed_over = false;
+  /// As before the datasets were looked for.
+  void forget_datasets();
 
   std::vector<Dataset> datasets;                               // in file order
   std::vector<GroupPlace> groups;                              // by GroupId

@@ -43,7 +43,8 @@ const ElementRecord* ElementColumns::at(std::size_t begin) {
 bool ElementColumns::read_header(std::size_t begin) {
   if (!ends_line(begin, header_width_) || !fast_integer(text_ + begin, record_.header[0])) return false;
   const char* columns = text_ + begin + kIntegerWidth;  // behind the label
-  if (like_ != nullptr && same_fields(columns, like_, record_.header.size() - 1)) return true;
+  repeats_ = like_ != nullptr && same_fields(columns, like_, record_.header.size() - 1);
+  if (repeats_) return true;
   like_ = nullptr;
   for (std::size_t k = 1; k < record_.header.size(); ++k)
     if (!fast_integer(text_ + begin + k * kIntegerWidth, record_.header[k])) return false;

@@ -15,6 +15,8 @@ class ElementColumns {
   /// The record at `begin`, which lives until the next call. Null if anything is unusual, or if what follows
   /// does not begin like a record: element_record can tell.
   [[nodiscard]] const ElementRecord* at(std::size_t begin);
+  /// Whether the header of that record repeats the one before but for the label.
+  [[nodiscard]] bool repeats() const { return repeats_; }
 
  private:
   bool read_header(std::size_t begin);
@@ -32,6 +34,7 @@ class ElementColumns {
   ElementLayout layout_;
   const char* like_ = nullptr;  // the columns behind the label in the header of record_
   bool has_beam_ = false;       // after such a header
+  bool repeats_ = false;
   ElementRecord record_;
 };
 

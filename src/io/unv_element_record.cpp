@@ -51,7 +51,7 @@ Attempt attempt(const LineScanner& lines, const Line& header_line, std::size_t l
           0, {ErrorCode::kTruncated, header_line.begin, "the record of " + element + " is not complete", kExportAgain}};
     const Line line = lines.at(at, limit);
     const Cut cut = parse_integers(lines.view(line), record.beam);
-    if (cut == Cut::kNone)
+    if (cut == Cut::kNone || right_trimmed(lines.view(line)) == kUsualDelimiter)
       return {
           0,
           {ErrorCode::kMalformed, line.begin,

@@ -1,6 +1,7 @@
 #include "io/unv_elements.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <limits>
@@ -108,8 +109,11 @@ class PieceParser {
     piece.begin = begin;
     reserve(border > begin ? border - begin : 0, piece);
     std::size_t at = skip_blank_lines(d_.lines, begin, limit_);
+    bool of_columns = false;  // the attributes are those of the last record that columns_ read
     while (at < border && at < limit_ && !piece.fault) {
       if (const ElementRecord* usual = columns_.at(at)) {
+        if (!of_columns || !columns_.repeats()) take_attributes(usual->header, piece);
+        of_columns = true;
         take(at, *usual, piece);
         at = usual->end;
         continue;
@@ -118,6 +122,8 @@ class PieceParser {
       if (piece.fault) break;
       if (!record_.columns) piece.findings.tokens.add(at);
       if (record_.unusual_beam) piece.findings.unusual_beams.add(at);
+      take_attributes(record_.header, piece);
+      of_columns = false;
       take(at, record_, piece);
       at = skip_blank_lines(d_.lines, record_.end, limit_);
     }
@@ -153,7 +159,8 @@ class PieceParser {
 
   void take(std::size_t at, const ElementRecord& record, Piece& piece) {
     const std::int64_t label = record.label();
-    piece.attributes.push_back(attributes(at, record.header, piece));
+    piece.attributes.push_back(attributes_);
+    if (negative_) piece.findings.negative.add(at);
     piece.label.push_back(label), piece.place.push_back(at);
     piece.n_nodes.push_back(static_cast<std::uint32_t>(record.nodes.size()));
     for (std::size_t k = 0; k < record.nodes.size(); ++k) {
@@ -175,17 +182,12 @@ class PieceParser {
       piece.orientation.push_back({ElementId(piece.label.size() - 1), NodeId(std::size_t{id})});
   }
 
-  /// The attributes of a header; most elements have those of the one before.
-  std::uint32_t attributes(std::size_t at, const std::vector<std::int64_t>& header, Piece& piece) {
-    if (piece.attributes.empty() || !std::equal(header.begin() + 1, header.end(), last_header_.begin() + 1)) {
-      const ElementAttributes a = attributes_of(header, layout_);
-      negative_ = a.physical < 0 || a.material < 0;
-      last_header_ = header;
-      last_attributes_ = piece.table.intern(a);
-      shape_ = a.shape;
-    }
-    if (negative_) piece.findings.negative.add(at);
-    return last_attributes_;
+  /// The attributes of a header, for the elements to come.
+  void take_attributes(const std::vector<std::int64_t>& header, Piece& piece) {
+    const ElementAttributes a = attributes_of(header, layout_);
+    negative_ = a.physical < 0 || a.material < 0;
+    attributes_ = piece.table.intern(a);
+    shape_ = a.shape;
   }
 
   const Document& d_;
@@ -194,10 +196,9 @@ class PieceParser {
   ElementColumns columns_;
   const LabelIndex& nodes_;
   ElementRecord record_;
-  std::vector<std::int64_t> last_header_;
-  std::uint32_t last_attributes_ = 0;  // of last_header_
-  Shape shape_ = Shape::kOther;        // of last_header_
-  bool negative_ = false;
+  std::uint32_t attributes_ = 0;  // in the table of the piece
+  Shape shape_ = Shape::kOther;   // of these
+  bool negative_ = false;         // a number among them
 };
 
 void append(std::span<const Piece> pieces, Model& model) {
@@ -214,8 +215,8 @@ void append(std::span<const Piece> pieces, Model& model) {
   }
   model.attributes = table.distinct();
   const std::size_t m = first_element[n];
-  model.element_label.resize(m), model.element_place.resize(m), model.element_attributes.resize(m);
-  model.first_node.resize(m + 1), model.nodes.resize(first_node[n]);
+  tbb::parallel_invoke([&] { resize_all(m, model.element_label, model.element_place, model.element_attributes); },
+                       [&] { model.first_node.resize(m + 1), model.nodes.resize(first_node[n]); });
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     const Piece& piece = pieces[k];
     const std::size_t e = first_element[k];

@@ -163,31 +163,62 @@ std::size_t count_lines(std::string_view text, char terminator) {
   return count_of(terminator, text) + (!text.empty() && text.back() != terminator ? 1 : 0);
 }
 
-/// Parses records of exactly two lines in parallel; false, with the model as it was, if some
-/// record is not like that.
-bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findings& findings) {
-  const std::vector<std::size_t> borders = piece_borders(d.lines, dataset.body, dataset.body_end);
-  const std::size_t n = borders.size() - 1;
-  std::vector<std::size_t> first_line(n + 1, 0);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-    first_line[k + 1] = count_lines(d.lines.text.substr(borders[k], borders[k + 1] - borders[k]), d.lines.terminator);
-  });
-  for (std::size_t k = 0; k < n; ++k) first_line[k + 1] += first_line[k];
-  if (first_line[n] % 2 != 0) return false;
+/// The records of a dataset, cut for parallel parsing.
+struct Pieces {
+  std::vector<std::size_t> borders;     // line starts, from the first one to the end of the dataset
+  std::vector<std::size_t> first_line;  // of each piece and behind the last one, counted from the first line
+  [[nodiscard]] std::size_t size() const { return borders.size() - 1; }
+};
 
-  const std::size_t before = model.position.size(), after = before + first_line[n] / 2;
-  make_room(model.position, after), make_room(model.node_label, after), make_room(model.node_place, after);
-  model.position.resize(after), model.node_label.resize(after), model.node_place.resize(after);
+/// As if all records were as long as the first one, which is mostly so; no pieces if they cannot be.
+Pieces equal_pieces(const Document& d, const Dataset& dataset) {
+  Pieces pieces{{dataset.body}, {0}};
+  const std::size_t size = dataset.body_end - dataset.body;
+  if (size == 0) return pieces;
+  const Line header = d.lines.at(dataset.body, dataset.body_end);
+  if (header.next == dataset.body_end) return pieces;
+  const std::size_t length = d.lines.at(header.next, dataset.body_end).next - dataset.body;
+  if (size % length != 0) return pieces;
+  const std::size_t records = std::max<std::size_t>(1, kPieceBytes / length);
+  for (std::size_t done = 0, n = size / length; done < n;) {
+    done = std::min(n, done + records);
+    pieces.borders.push_back(dataset.body + done * length), pieces.first_line.push_back(2 * done);
+  }
+  return pieces;
+}
+
+Pieces counted_pieces(const Document& d, const Dataset& dataset) {
+  Pieces pieces{piece_borders(d.lines, dataset.body, dataset.body_end), {}};
+  pieces.first_line.resize(pieces.borders.size());
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t k) {
+    const std::size_t begin = pieces.borders[k], end = pieces.borders[k + 1];
+    pieces.first_line[k + 1] = count_lines(d.lines.text.substr(begin, end - begin), d.lines.terminator);
+  });
+  for (std::size_t k = 0; k < pieces.size(); ++k) pieces.first_line[k + 1] += pieces.first_line[k];
+  return pieces;
+}
+
+/// Parses records of exactly two lines in parallel; false, with the model as it was, if some
+/// record is not like that, or the pieces are not cut between lines.
+bool read_regular(const Document& d, const Dataset& dataset, const Pieces& pieces, Model& model, Findings& findings) {
+  const std::size_t n = pieces.size(), n_lines = pieces.first_line.back();
+  if (n_lines % 2 != 0 || pieces.borders.back() != dataset.body_end) return false;
+  const std::size_t before = model.position.size();
+  resize_all(before + n_lines / 2, model.position, model.node_label, model.node_place);
+  // A piece that begins inside a record leaves its second line to the piece before.
+  const auto start = [&](std::size_t k) {
+    return pieces.first_line[k] % 2 == 0 ? pieces.borders[k] : d.lines.at(pieces.borders[k], dataset.body_end).next;
+  };
+  const auto first_record = [&](std::size_t k) { return before + (pieces.first_line[k] + 1) / 2; };
   std::vector<Findings> found(n, Findings(dataset.number));
   std::atomic<bool> good = true;
   tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
     std::vector<std::int64_t> scratch;
     NodeRecord fast;
     const char* like = nullptr;
-    // A piece that begins inside a record leaves its second line to the piece before.
-    std::size_t at = first_line[k] % 2 == 0 ? borders[k] : d.lines.at(borders[k], dataset.body_end).next;
-    std::size_t i = before + (first_line[k] + 1) / 2;
-    for (const std::size_t last = before + (first_line[k + 1] + 1) / 2; i < last && good; ++i) {
+    std::size_t at = start(k), i = first_record(k);
+    const std::size_t last = first_record(k + 1);
+    for (; i < last && at < dataset.body_end && good; ++i) {
       model.node_place[i] = at;
       if (fast_record(d, at, dataset.body_end, fast, like)) {
         found[k].add_systems(fast, at);
@@ -204,6 +235,7 @@ bool read_regular(const Document& d, const Dataset& dataset, Model& model, Findi
       if (record->two_reals) found[k].two_reals.add(at);
       model.node_label[i] = record->label, model.position[i] = record->position, at = record->end;
     }
+    if (i != last || at != start(k + 1)) good = false;
   });
   if (!good) {
     model.position.resize(before), model.node_label.resize(before), model.node_place.resize(before);
@@ -245,8 +277,9 @@ tl::expected<NodeRecord, Fault> node_record(const LineScanner& lines, std::size_
 tl::expected<void, Fault> read_nodes(const Document& d, const Dataset& dataset, Model& model, NamedSystems& systems,
                                      std::vector<Warning>& warnings) {
   Findings findings(dataset.number);
-  const bool regular =
-      node_layout_of(dataset.number) == NodeLayout::kTwoLines && read_regular(d, dataset, model, findings);
+  const bool regular = node_layout_of(dataset.number) == NodeLayout::kTwoLines &&
+                       (read_regular(d, dataset, equal_pieces(d, dataset), model, findings) ||
+                        read_regular(d, dataset, counted_pieces(d, dataset), model, findings));
   if (!regular) {
     findings = Findings(dataset.number);
     if (auto done = read_one_by_one(d, dataset, model, findings); !done) return done;

@@ -1,3 +1,4 @@
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -29,10 +30,10 @@ class Reader {
  public:
   Reader(Document& document, bool unclosed) : d_(document), unclosed_(unclosed) {}
 
-  tl::expected<Model, Fault> read() {
+  tl::expected<Model, Fault> read(LikeRecords like_records) {
     model_.path = d_.path();
     model_.first_node.push_back(0);
-    if (auto done = find_datasets(d_, model_.warnings); !done) return tl::unexpected(done.error());
+    if (auto done = find_datasets(d_, like_records, model_.warnings); !done) return tl::unexpected(done.error());
     read_headers();
     for (const Dataset& dataset : d_.datasets)
       if (dataset.kind() == DatasetKind::kNodes)
@@ -46,15 +47,15 @@ class Reader {
           return tl::unexpected(done.error());
     if (auto fault = index_elements()) return tl::unexpected(std::move(*fault));
     make_room(model_.node_groups, model_.n_nodes()), make_room(model_.element_groups, model_.n_elements());
-    model_.node_groups.assign(model_.n_nodes(), GroupSets::kEmpty);
-    model_.element_groups.assign(model_.n_elements(), GroupSets::kEmpty);
+    tbb::parallel_invoke([&] { model_.node_groups.assign(model_.n_nodes(), GroupSets::kEmpty); },
+                         [&] { model_.element_groups.assign(model_.n_elements(), GroupSets::kEmpty); });
     for (std::uint32_t k = 0; k < d_.datasets.size(); ++k)
       if (d_.datasets[k].kind() == DatasetKind::kGroups)
         if (auto done = checked(d_.datasets[k], read_groups(d_, k, nodes_, elements_, model_, model_.warnings)); !done)
           return tl::unexpected(done.error());
     if (!unclosed_ && !d_.datasets.back().closed) return tl::unexpected(without_end());
-    warn_about_labels(model_.node_label, model_.node_place, "node");
-    warn_about_labels(model_.element_label, model_.element_place, "element");
+    warn_about_labels(nodes_, model_.node_place, "node");
+    warn_about_labels(elements_, model_.element_place, "element");
     collect_systems();
     warn_about_systems();
     return std::move(model_);
@@ -229,14 +230,13 @@ class Reader {
     keep(kept, model_.element_label), keep(kept, model_.element_place), keep(kept, model_.element_attributes);
   }
 
-  void warn_about_labels(const std::vector<std::int64_t>& labels, const std::vector<std::uint64_t>& places,
-                         const char* kind) {
+  void warn_about_labels(const LabelIndex& labels, const std::vector<std::uint64_t>& places, const char* kind) {
     constexpr std::int64_t kLargestElsewhere = std::numeric_limits<std::int32_t>::max();
-    const auto largest = std::ranges::max_element(labels);
-    if (largest == labels.end() || *largest <= kLargestElsewhere) return;
+    const std::int64_t largest = labels.largest();
+    if (largest <= kLargestElsewhere) return;
     model_.warnings.push_back(d_.warning(
-        "large-label", std::string(kind) + " label " + std::to_string(*largest) + " does not fit into most programs",
-        places[static_cast<std::size_t>(largest - labels.begin())]));
+        "large-label", std::string(kind) + " label " + std::to_string(largest) + " does not fit into most programs",
+        places[labels.find(largest)]));
   }
 
   /// The systems that are defined, the first definition of a label, and those that nodes name.
@@ -293,7 +293,12 @@ class Reader {
 
 Result<Model> read_document(std::shared_ptr<Document> document, const ReadOptions& options) {
   tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads));
-  auto model = arena.execute([&] { return Reader(*document, options.unclosed).read(); });
+  auto model = arena.execute([&] {
+    auto read = Reader(*document, options.unclosed).read(LikeRecords::kPassedOver);
+    if (read || !document->passed_over) return read;
+    document->forget_datasets();
+    return Reader(*document, options.unclosed).read(LikeRecords::kLookedAt);
+  });
   if (!model) return Failure(document->error(model.error()));
   std::ranges::stable_sort(model->warnings, {}, [](const Warning& w) { return w.place.line; });
   model->source = std::move(document);

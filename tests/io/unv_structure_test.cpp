@@ -1,4 +1,6 @@
 // Delimiters, line ends and datasets (unv.md 6, rules 1 to 4; 9, traps 1 to 9 and 16).
+#include <fmt/format.h>
+
 #include "io/unv_samples.hpp"
 
 namespace meshgraft {
@@ -198,6 +200,74 @@ TEST(UnvStructure, SystemsAreThoseDefinedAndThoseNamedByNodes) {
     EXPECT_EQ(rim.type, 1);
     EXPECT_EQ(rim.axes, (std::array<double, 12>{0, 1, 0, -1, 0, 0, 0, 0, 1, 1, 2, 3}));
   }
+}
+
+/// Many nodes in a line along x, labelled from `first`.
+std::string nodes_in_line(std::int64_t first, std::int64_t n) {
+  std::string text;
+  for (std::int64_t k = 0; k < n; ++k)
+    text += node(first + k, fmt::format("{:25.16E}{:25.16E}{:25.16E}", static_cast<double>(first + k), 0.0, 0.0));
+  return text;
+}
+
+// Records that look alike are passed over when datasets are looked for; a dataset that begins among them, at whatever
+// distance, is found all the same.
+TEST(UnvStructure, DatasetAmongRecordsThatLookAlike) {
+  const std::string record = nodes_in_line(1, 1);
+  for (const std::size_t more : {0u, 1u, 40u})  // characters by which what is between is no multiple of a record
+    for (const std::int64_t before : {1, 2, 3, 6, 9}) {
+      std::string between = "    -1\n" + opening("3206");
+      const std::string reopened = "    -1\n" + opening("2411");
+      const std::size_t filling = record.size() + more - between.size() - reopened.size() - 1;
+      between += std::string(filling, 'x') + "\n" + reopened;
+      const Model m =
+          read(opening("2411") + nodes_in_line(1, before) + between + nodes_in_line(before + 1, 3000) + "    -1\n");
+      ASSERT_EQ(m.n_nodes(), static_cast<std::size_t>(before + 3000));
+      EXPECT_EQ(m.node_label.back(), before + 3000);
+      EXPECT_TRUE(m.warnings.empty());
+    }
+}
+
+TEST(UnvStructure, FaultAmongRecordsThatLookAlikeIsFoundInItsLine) {
+  const std::string good = opening("2411") + nodes_in_line(1, 3000) + "    -1\n";
+  for (const std::size_t k : {1u, 2u, 500u, 2999u}) {
+    std::string text = good;
+    const std::size_t line = 14 + k * nodes_in_line(1, 1).size();
+    text.replace(line + 50, 3, "x.0");
+    const Error e = error_of(text);
+    EXPECT_EQ(e.code, ErrorCode::kBadNumber);
+    EXPECT_EQ(e.place.line, 2 + 2 * (k + 1));
+  }
+}
+
+// As many characters as records of equal length would have, but more records or less.
+TEST(UnvStructure, RecordsOfUnequalLengthThatAddUp) {
+  const std::size_t length = nodes_in_line(1, 1).size();
+  std::string two = "7 1 1 11\n1 2 3\n8 1 1 11\n1 2 3";
+  two.append(length - two.size() - 1, ' ').append("\n");
+  const std::string twice = node(7, fmt::format("{:25}{:25}{:25}{:{}}", 1, 2, 3, "", length));
+  ASSERT_EQ(twice.size(), 2 * length);
+  for (const std::string& odd : {two, twice}) {
+    const Model m = read(dataset("2411", nodes_in_line(10, 4) + odd + nodes_in_line(20, 3000)));
+    ASSERT_EQ(m.n_nodes(), odd == two ? 3006u : 3005u);
+    EXPECT_EQ(m.node_label[4], 7);
+    EXPECT_EQ(m.position[4], (Vec3{1, 2, 3}));
+    EXPECT_EQ(m.node_label.back(), 3019);
+  }
+}
+
+// Among beams that look alike, a delimiter with blanks behind it is as long as a beam line.
+TEST(UnvStructure, DelimiterIsNoBeamLine) {
+  std::string elements;
+  for (std::int64_t label = 1; label <= 3000; ++label)
+    elements += line({label, 21, 1, 1, 7, 2}) + line({0, 1, 1}) + line({1, 2});
+  const std::string good = dataset("2411", kNodes) + dataset("2412", elements);
+  ASSERT_EQ(read(good).n_elements(), 3000u);
+  const std::string beam = line({700, 21, 1, 1, 7, 2}) + line({0, 1, 1});
+  const std::string cut = line({700, 21, 1, 1, 7, 2}) + "    -1" + std::string(24, ' ') + "\n";
+  const Error e = error_of(replaced(good, beam, cut));
+  EXPECT_EQ(e.code, ErrorCode::kMalformed);
+  EXPECT_EQ(e.place.line, 2u + 12 + 1 + 2 + 3 * 699 + 1);
 }
 
 }  // namespace
