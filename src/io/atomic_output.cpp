@@ -86,11 +86,21 @@ AtomicOutput::~AtomicOutput() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
+void AtomicOutput::reserve(std::span<const std::string_view> pieces) const {
+  constexpr std::size_t kWorthwhile = std::size_t{1} << 20;
+  std::size_t bytes = 0;
+  for (const std::string_view piece : pieces) bytes += piece.size();
+  const off_t at = temporary_.empty() || bytes < kWorthwhile ? -1 : ::lseek(fd_, 0, SEEK_CUR);
+  // Whether there is room will be told by writing; not all file systems know how to reserve it.
+  if (at >= 0) (void)::fallocate(fd_, FALLOC_FL_KEEP_SIZE, at, static_cast<off_t>(bytes));
+}
+
 Result<void> AtomicOutput::write(std::span<const std::string_view> pieces) {
   constexpr std::size_t kBatch = 256;  // below IOV_MAX everywhere
   // Bytes at once. For larger writes the system looks for larger pieces of memory, which it was longer ago that
   // anything used; up to ten times slower was measured.
   constexpr std::size_t kLargest = std::size_t{1} << 17;
+  reserve(pieces);
   std::size_t next = 0, done = 0;  // bytes of pieces[next] already written
   while (next < pieces.size()) {
     std::array<iovec, kBatch> batch;
