@@ -87,7 +87,8 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
   if (options.zone.bandwidth)
     workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.zone.bandwidth);
   Incision out;
-  out.original = workpiece(alone, one_for_each_input(1), cut_faces, table.of_input, sets, workpiece_options);
+  out.original =
+      workpiece(alone, FaceRuns(alone), one_for_each_input(1), cut_faces, table.of_input, sets, workpiece_options);
   Complex both = out.original;
   const std::uint32_t component = add_tool(tool.model, near.of_tool, both);
 

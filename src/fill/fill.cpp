@@ -187,8 +187,8 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   workpiece_options.least = span_of(base, all, openings);
   const std::vector<std::vector<ElementId>> faces{faces_at(base, all, openings)};
   if (const auto ok = check_local_scale(inputs, faces, options.zone); !ok) return Failure(ok.error());
-  const Complex around =
-      workpiece(inputs, components, faces, ground.table.of_input, graft.group_sets, workpiece_options);
+  const Complex around = workpiece(inputs, FaceRuns(inputs), components, faces, ground.table.of_input, graft.group_sets,
+                                   workpiece_options);
   const std::vector<Hole> holes = holes_of(around, all, openings);
 
   watch.start("fill", 0.2);  // paper 5.5

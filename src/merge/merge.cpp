@@ -61,13 +61,14 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   if (!components) return Failure(components.error());
   if (const auto ok = check_meeting_elements(inputs, *components, options.tolerance); !ok) return Failure(ok.error());
   if (components->are_parted()) report.components = summaries_of(inputs, *components);
-  const auto candidates = candidate_faces(inputs, *components, search_options);
+  const FaceRuns runs(inputs);
+  const auto candidates = candidate_faces(inputs, runs, *components, search_options);
   if (const auto ok = check_local_scale(inputs, candidates, options); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
   if (options.trim) workpiece_options.least = *options.trim;
   const Complex original =
-      workpiece(inputs, *components, candidates, ground.table.of_input, graft.group_sets, workpiece_options);
+      workpiece(inputs, runs, *components, candidates, ground.table.of_input, graft.group_sets, workpiece_options);
 
   watch.start("intersect", 0.2);  // paper 5.1, 5.2
   CorefineOptions corefine_options;

@@ -10,14 +10,6 @@
 namespace meshgraft {
 namespace {
 
-/// Empty if the element is not a face.
-Box box_of(const Model& model, ElementId e) {
-  Box box;
-  if (model.is_face(e))
-    for (const Vec3 p : model.corners(e)) box.add(p);
-  return box;
-}
-
 struct GrownFace {
   ElementRef face;
   std::uint32_t component = 0;
@@ -31,7 +23,7 @@ double longest_side(const Box& box) {
 
 /// The box of a face, grown alike in all directions (a flat box has to grow across, too).
 Box grown_box(const Model& model, ElementId face, const SearchOptions& options) {
-  const Box box = box_of(model, face);
+  const Box box = box_of_face(model, face);
   const double side = longest_side(box);
   double by = 0.5 * (options.box_scale - 1) * side;
   // No edge is longer than the diagonal: mostly that bound spares the three square roots.
@@ -49,8 +41,9 @@ Box grown_around(const Box& faces, const SearchOptions& options) {
 
 class Search {
  public:
-  Search(std::span<const Model* const> inputs, const Components& components, const SearchOptions& options)
-      : inputs_(inputs), components_(components), options_(options), boxes_(components.size()) {}
+  Search(std::span<const Model* const> inputs, const FaceRuns& runs, const Components& components,
+         const SearchOptions& options)
+      : inputs_(inputs), runs_(runs), components_(components), options_(options), boxes_(components.size()) {}
 
   std::vector<std::vector<ElementId>> run() {
     // If the largest input is one component, it is passed over only once: it is cut to the boxes of
@@ -114,13 +107,12 @@ class Search {
   /// The faces of an input whose grown box meets the box of another component.
   void add_near(std::uint32_t k) {
     const Model& model = *inputs_[k];
-    const auto box = [&](std::size_t i) { return box_of(model, ElementId(i)); };
     const auto may_be_near = [&](std::size_t first, std::size_t last, const Box& run) {
       return may_be_near_another(k, first, last, grown_around(run, options_));
     };
-    const auto near = collected_near<GrownFace>(
-        model.n_elements(), box, may_be_near, [&](std::size_t i, std::vector<GrownFace>& out) {
-          const ElementRef e{k, ElementId(i)};
+    const auto near = runs_.collected_near<GrownFace>(
+        k, model.n_elements(), may_be_near, [&](ElementId element, std::vector<GrownFace>& out) {
+          const ElementRef e{k, element};
           if (!model.is_face(e.element)) return;
           const GrownFace face{e, components_.of(e), grown_box(model, e.element, options_)};
           if (is_near_another(face.component, face.box)) out.push_back(face);
@@ -176,6 +168,7 @@ class Search {
   }
 
   std::span<const Model* const> inputs_;
+  const FaceRuns& runs_;
   const Components& components_;
   const SearchOptions& options_;
   std::vector<Box> boxes_;  // by component; empty: of no face
@@ -187,10 +180,10 @@ class Search {
 
 }  // namespace
 
-std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs, const Components& components,
-                                                    const SearchOptions& options) {
+std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs, const FaceRuns& runs,
+                                                    const Components& components, const SearchOptions& options) {
   if (components.size() < 2) return std::vector<std::vector<ElementId>>(inputs.size());
-  return Search(inputs, components, options).run();
+  return Search(inputs, runs, components, options).run();
 }
 
 }  // namespace meshgraft

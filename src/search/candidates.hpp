@@ -7,6 +7,7 @@
 #include "core/components.hpp"
 #include "meshgraft/model.hpp"
 #include "meshgraft/options.hpp"
+#include "search/face_runs.hpp"
 
 namespace meshgraft {
 
@@ -16,10 +17,10 @@ struct SearchOptions {
 };
 
 /// By input the faces whose grown box meets the grown box of a face of a component that theirs is
-/// joined to, ascending. One linear pass over every input, then a hierarchy over what is left; cost
-/// linear in the faces plus n log n in the faces near another component's box.
+/// joined to, ascending. `runs`: of these inputs. One linear pass over every input, then a hierarchy over what is left;
+/// cost linear in the faces plus n log n in the faces near another component's box.
 [[nodiscard]] std::vector<std::vector<ElementId>> candidate_faces(std::span<const Model* const> inputs,
-                                                                  const Components& components,
+                                                                  const FaceRuns& runs, const Components& components,
                                                                   const SearchOptions& options);
 
 }  // namespace meshgraft

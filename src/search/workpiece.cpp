@@ -88,14 +88,13 @@ bool all_valid(std::span<const NodeId> nodes) {
   return std::all_of(nodes.begin(), nodes.end(), [](NodeId v) { return v.valid(); });
 }
 
-/// Faces that meet the region and have all their nodes.
-std::vector<ElementId> faces_inside(const Model& model, const BoxTree& region, const Bits& inside) {
-  const auto is_face = [&](ElementId e) { return model.is_face(e) && all_valid(model.nodes_of(e)); };
-  const auto box = [&](std::size_t i) { return is_face(ElementId(i)) ? box_of(model.corners(ElementId(i))) : Box{}; };
+/// Faces of an input that meet the region and have all their nodes.
+std::vector<ElementId> faces_inside(const Model& model, std::uint32_t input, const FaceRuns& runs,
+                                    const BoxTree& region, const Bits& inside) {
   const auto near = [&](std::size_t, std::size_t, const Box& run) { return region.meets(run); };
-  return collected_near<ElementId>(model.n_elements(), box, near, [&](std::size_t i, std::vector<ElementId>& out) {
-    const ElementId e(i);
-    if (is_face(e) && (any_in(inside, model.nodes_of(e)) || region.meets(box(i)))) out.push_back(e);
+  return runs.collected_near<ElementId>(input, model.n_elements(), near, [&](ElementId e, std::vector<ElementId>& out) {
+    const Box box = box_of_face(model, e);
+    if (!box.empty() && (any_in(inside, model.nodes_of(e)) || region.meets(box))) out.push_back(e);
   });
 }
 
@@ -171,9 +170,9 @@ class Cutter {
         translation_(std::move(translation)),
         taken_(model.n_nodes()) {}
 
-  void cut(const BoxTree& region) {
+  void cut(const BoxTree& region, const FaceRuns& runs) {
     const Bits inside = nodes_inside(model_, region);
-    const std::vector<ElementId> faces = faces_inside(model_, region, inside);
+    const std::vector<ElementId> faces = faces_inside(model_, input_, runs, region, inside);
     for (const ElementId f : faces)
       for (const NodeId v : model_.nodes_of(f)) taken_.set(v.value);
     const std::vector<ElementId> others = others_near(model_, inside, taken_);
@@ -280,7 +279,7 @@ class Cutter {
 
 }  // namespace
 
-Complex workpiece(std::span<const Model* const> inputs, const Components& components,
+Complex workpiece(std::span<const Model* const> inputs, const FaceRuns& runs, const Components& components,
                   std::span<const std::vector<ElementId>> candidates,
                   std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                   const WorkpieceOptions& options) {
@@ -290,7 +289,7 @@ Complex workpiece(std::span<const Model* const> inputs, const Components& compon
   AttributesTable table;
   for (const std::uint32_t k : components.input_order)
     Cutter(complex, *inputs[k], k, components, Translation(*inputs[k], groups_of_input[k], merged_sets, table))
-        .cut(region);
+        .cut(region, runs);
   return complex;
 }
 

@@ -8,6 +8,7 @@
 #include "core/components.hpp"
 #include "meshgraft/graft.hpp"
 #include "meshgraft/model.hpp"
+#include "search/face_runs.hpp"
 
 namespace meshgraft {
 
@@ -30,9 +31,9 @@ struct WorkpieceOptions {
 /// Nodes used by elements other than faces and lines, and orientation nodes, are kPinned.
 /// Cost: one linear pass over nodes and elements; memory beyond it proportional to the result.
 ///
-/// `groups_of_input[k][g]` is the merged group of group g of input k.
-[[nodiscard]] Complex workpiece(std::span<const Model* const> inputs, const Components& components,
-                                std::span<const std::vector<ElementId>> candidates,
+/// `runs`: of these inputs. `groups_of_input[k][g]` is the merged group of group g of input k.
+[[nodiscard]] Complex workpiece(std::span<const Model* const> inputs, const FaceRuns& runs,
+                                const Components& components, std::span<const std::vector<ElementId>> candidates,
                                 std::span<const std::vector<GroupId>> groups_of_input, GroupSets& merged_sets,
                                 const WorkpieceOptions& options = {});
 

@@ -28,7 +28,7 @@ class HandMade {
     for (std::size_t k = 0; k < models_.size(); ++k)
       for (std::size_t e = 0; e < models_[k].n_elements(); ++e)
         if (models_[k].is_face(ElementId(e))) faces[k].emplace_back(e);
-    original = workpiece(inputs_, components, faces, table.of_input, graft.group_sets);
+    original = workpiece(inputs_, FaceRuns(inputs_), components, faces, table.of_input, graft.group_sets);
     corefined.complex = original;
     final_complex = original;
   }

@@ -12,7 +12,7 @@ namespace {
 std::vector<std::vector<ElementId>> candidates_of(const std::vector<Model>& models, const SearchOptions& options = {}) {
   std::vector<const Model*> inputs;
   for (const Model& m : models) inputs.push_back(&m);
-  return candidate_faces(inputs, one_for_each_input(inputs.size()), options);
+  return candidate_faces(inputs, FaceRuns(inputs), one_for_each_input(inputs.size()), options);
 }
 
 /// The box of paper 5.1, or that of the tolerance.

@@ -28,8 +28,9 @@ Cut cut(std::vector<Model> models, double reach = 2) {
     for (std::size_t g = 0; g < m.groups.size(); ++g) groups.back().emplace_back(100 * inputs.size() + g);
     inputs.push_back(&m);
   }
-  c.candidates = candidate_faces(inputs, one_for_each_input(inputs.size()), {});
-  c.complex = workpiece(inputs, one_for_each_input(inputs.size()), c.candidates, groups, c.sets, {reach});
+  const FaceRuns runs(inputs);
+  c.candidates = candidate_faces(inputs, runs, one_for_each_input(inputs.size()), {});
+  c.complex = workpiece(inputs, runs, one_for_each_input(inputs.size()), c.candidates, groups, c.sets, {reach});
   return c;
 }
 
