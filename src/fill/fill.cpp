@@ -11,6 +11,7 @@
 #include "fill/flaws.hpp"
 #include "fill/rim_sizes.hpp"
 #include "fill/shape.hpp"
+#include "fill/size_reached.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "merge/compatibility.hpp"
@@ -225,6 +226,9 @@ Result<Attempt> attempted(const Task& task, const LeftOut& left_out, Stopwatch& 
   if (const auto ok = conclude(operation, watch, made.merged); !ok) return Failure(ok.error());
   const auto unfollowed = without_edge(std::move(coarse->unfollowed), base, zone.remeshed.complex, around.n_faces());
   append(report.warnings, warnings_about(unfollowed, base));
+  if (options.zone.size)
+    if (auto warning = size_not_reached(zone.remeshed.complex, around.n_faces(), *options.zone.size, {base.path, 0}))
+      report.warnings.push_back(std::move(*warning));
   FillingFlaws flaws = flaws_of(base, zone.remeshed.complex, around.n_faces(), unfollowed, options.zone.tolerance);
   append(report.broken_promises, std::move(flaws.broken));
   append(report.warnings, std::move(flaws.warnings));

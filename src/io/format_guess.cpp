@@ -31,6 +31,8 @@ constexpr Mark kMarks[] = {
     {"CEND", "a Nastran bulk data file"},
     {"BEGIN BULK", "a Nastran bulk data file"},
     {"GRID", "a Nastran bulk data file"},
+    {"\xFF\xFE", "text in UTF-16 (save it as UTF-8)"},
+    {"\xFE\xFF", "text in UTF-16 (save it as UTF-8)"},
     {"%PDF", "a PDF document"},
     {"PK\x03\x04", "a ZIP archive"},
     {"\x1f\x8b", "a gzip archive"},

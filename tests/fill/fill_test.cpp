@@ -520,6 +520,17 @@ TEST(Fill, SizesAreGradedFromTheSidesOfTheRim) {
     }
 }
 
+TEST(Fill, ASizeThatTheHoleIsTooSmallForIsToldOf) {
+  const Model holed = without_faces(scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1), within({0.5, 0.5, 0}, 0.2));
+  for (const auto& [size, told] : {std::pair{0.01, 1}, {0.05, 0}, {0.1, 0}, {0.15, 0}, {1.0, 1}}) {
+    FillOptions options;
+    options.zone.size = size;
+    const Merged m = made(holed, options);
+    EXPECT_EQ(broken(m.report), std::vector<std::string>{});
+    EXPECT_EQ(std::ranges::count(m.report.warnings, "size-not-reached", &Warning::name), told) << size;
+  }
+}
+
 /// A saddle as steep as its hole is wide: the inner side of a ring, open over more than a third of its section.
 TEST(Fill, AHoleInTheThroatOfATorusComesBackUnfolded) {
   scenes::Surface s;
