@@ -25,7 +25,7 @@ struct Meshes {
 struct Options {
   std::string study, model, output;
   Meshes shell, calculix;
-  std::vector<std::string> finer;  // than those of `shell`, for the table of convergence
+  std::vector<std::string> others;  // of other edge lengths than those of `shell`, for the table of convergence
 };
 
 Result<Structure> read_structure(const std::string& path, const Study& study) {
@@ -111,13 +111,13 @@ int write_all_tables(const Options& options) {
   const auto shell = solved(files_of(options.shell), *study, Solver::kShell);
   if (!shell) return failed(shell.error());
   std::vector<std::pair<std::string, Role>> files;
-  for (const std::string& file : options.finer) files.emplace_back(file, Role::kMerged);
-  const auto finer = solved(files, *study, Solver::kShell);
-  if (!finer) return failed(finer.error());
+  for (const std::string& file : options.others) files.emplace_back(file, Role::kMerged);
+  const auto others = solved(files, *study, Solver::kShell);
+  if (!others) return failed(others.error());
 
   auto written = write_tables(folder / "calculix", tables_of(*calculix, *study, options.calculix.size));
   if (written) written = write_tables(folder / "shell", tables_of(*shell, *study, options.shell.size));
-  if (written) written = write(folder / "convergence.md", convergence_of(*shell, *finer, *study));
+  if (written) written = write(folder / "convergence.md", convergence_of(*shell, *others, *study));
   return written ? 0 : failed(written.error());
 }
 
@@ -148,7 +148,8 @@ int main(int argc, char** argv) {
   tables->add_option("STUDY", options.study, "what the groups mean (JSON)")->required();
   add_meshes(*tables, "--", options.shell, "to be solved with the shell triangle of the study");
   add_meshes(*tables, "--calculix-", options.calculix, "with results of CalculiX beside them");
-  tables->add_option("--finer", options.finer, "finer meshes, from CAD and merged: how the shell triangle converges");
+  tables->add_option("--others", options.others,
+                     "meshes of other edge lengths, from CAD and merged: how the shell triangle converges");
   tables->add_option("-o,--output", options.output, "folder for the tables")->required();
   CLI11_PARSE(app, argc, argv);
   return deck->parsed() ? write_deck_of(options) : write_all_tables(options);

@@ -29,6 +29,13 @@ void add_heading(std::string& text, const std::vector<std::string>& cells) {
   text += "|\n";
 }
 
+using Format = std::string (*)(double);
+std::string whole(double v) { return fmt::format("{:.0f}", v); }
+std::string three_decimals(double v) { return fmt::format("{:.3f}", v); }
+std::string two_decimals(double v) { return fmt::format("{:.2f}", v); }
+std::string percent(double v) { return fmt::format("{:.2f} %", 100 * v); }
+std::string signed_percent(double v) { return fmt::format("{:+.2f} %", 100 * v); }
+
 /// How the frequencies of a case differ from those of the refined one, mode by mode of the latter.
 struct Agreement {
   std::vector<double> frequency, error;
@@ -69,6 +76,7 @@ class Range {
   std::vector<double> values_;
 };
 
+/// Columns: the refined mesh, all meshes from CAD together, each merged mesh.
 class Writer {
  public:
   Writer(const std::vector<Case>& cases, const Study& study, double margin)
@@ -86,26 +94,58 @@ class Writer {
   }
 
  private:
+  void heading(const std::string& rows, const std::string& unit = "", const std::string& last = "") {
+    std::vector<std::string> cells{rows, refined_->name + unit};
+    cells.push_back(fmt::format("{} from CAD", std::ranges::count(cases_, Role::kCad, &Case::role)));
+    for (const Case* c : merged()) cells.push_back(c->name);
+    if (!last.empty()) cells.push_back(last);
+    add_heading(tables_.text, cells);
+  }
+
+  [[nodiscard]] std::vector<const Case*> merged() const {
+    std::vector<const Case*> found;
+    for (const Case* c : others_)
+      if (c->role == Role::kMerged) found.push_back(c);
+    return found;
+  }
+
+  /// The figures of the meshes from CAD, from the least to the largest.
+  [[nodiscard]] std::string cad_range(Format format, const std::vector<double>& of_others) const {
+    Range range;
+    for (std::size_t i = 0; i < others_.size(); ++i)
+      if (others_[i]->role == Role::kCad) range.add(of_others[i]);
+    const std::string low = format(range.low), high = format(range.high);
+    return low == high ? low : low + " to " + high;
+  }
+
+  /// A figure of each case.
+  template <class F>
+  void figures(const std::string& name, Format format, F&& of) {
+    std::vector<double> of_others;
+    for (const Case* c : others_) of_others.push_back(of(*c));
+    std::vector<std::string> cells{name, format(of(*refined_)), cad_range(format, of_others)};
+    for (const Case* c : merged()) cells.push_back(format(of(*c)));
+    add_row(tables_.text, cells);
+  }
+
   void meshes() {
-    std::string& text = tables_.text;
-    std::vector<std::string> heading{""}, nodes{"nodes"}, faces{"faces"}, worst{"worst Q"}, mean{"mean Q"};
-    for (const Case& c : cases_) {
-      std::vector<double> q;
-      for (std::size_t f = 0; f < c.structure.faces.size(); ++f) q.push_back(aspect_ratio(c.structure.corners(f)));
-      heading.push_back(c.name);
-      nodes.push_back(fmt::format("{}", c.structure.position.size()));
-      faces.push_back(fmt::format("{}", q.size()));
-      worst.push_back(fmt::format("{:.3f}", *std::ranges::min_element(q)));
-      mean.push_back(fmt::format("{:.3f}", std::reduce(q.begin(), q.end()) / static_cast<double>(q.size())));
-    }
-    add_heading(text, heading);
-    for (const auto& row : {nodes, faces, worst, mean}) add_row(text, row);
-    for (std::size_t g = 0; g < study_.reported.size(); ++g) {
-      std::vector<std::string> row{"faces in " + study_.reported[g]};
-      for (const Case& c : cases_) row.push_back(fmt::format("{}", c.structure.reported_faces[g].size()));
-      add_row(text, row);
-    }
-    text += '\n';
+    const auto q = [](const Case& c) {
+      std::vector<double> values;
+      for (std::size_t f = 0; f < c.structure.faces.size(); ++f) values.push_back(aspect_ratio(c.structure.corners(f)));
+      return values;
+    };
+    heading("");
+    figures("nodes", whole, [](const Case& c) { return static_cast<double>(c.structure.position.size()); });
+    figures("faces", whole, [](const Case& c) { return static_cast<double>(c.structure.faces.size()); });
+    figures("worst Q", three_decimals, [&](const Case& c) { return std::ranges::min(q(c)); });
+    figures("mean Q", three_decimals, [&](const Case& c) {
+      const std::vector<double> values = q(c);
+      return std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
+    });
+    for (std::size_t g = 0; g < study_.reported.size(); ++g)
+      figures("faces in " + study_.reported[g], whole,
+              [&](const Case& c) { return static_cast<double>(c.structure.reported_faces[g].size()); });
+    tables_.text += '\n';
   }
 
   void frequencies() {
@@ -113,28 +153,28 @@ class Writer {
     for (const Case* c : others_) agreements.push_back(agreement(*refined_, *c, study_.n_modes));
 
     std::string& text = tables_.text;
-    std::vector<std::string> heading{"mode", refined_->name + ", Hz"};
-    for (const Case* c : others_) heading.push_back(c->name);
-    heading.push_back("least MAC");
-    add_heading(text, heading);
+    heading("mode", ", Hz", "least MAC");
     for (std::size_t k = 0; k < study_.n_modes; ++k) {
-      std::vector<std::string> row{fmt::format("{}", k + 1), fmt::format("{:.2f}", refined_->response.frequency[k])};
+      std::vector<double> errors;
       double least = 1;
-      for (const Agreement& a : agreements) {
-        row.push_back(fmt::format("{:.2f} ({:+.2f} %)", a.frequency[k], 100 * a.error[k]));
-        least = std::min(least, a.pairs[k].mac);
-      }
+      for (const Agreement& a : agreements) errors.push_back(a.error[k]), least = std::min(least, a.pairs[k].mac);
+      std::vector<std::string> row{fmt::format("{}", k + 1), two_decimals(refined_->response.frequency[k]),
+                                   cad_range(signed_percent, errors)};
+      for (std::size_t i = 0; i < others_.size(); ++i)
+        if (others_[i]->role == Role::kMerged)
+          row.push_back(fmt::format("{:.2f} ({})", agreements[i].frequency[k], signed_percent(errors[i])));
       row.push_back(fmt::format("{:.4f}", least));
       add_row(text, row);
     }
-    std::vector<std::string> worst{"worst", ""}, mean{"mean", ""};
-    for (const Agreement& a : agreements) {
-      worst.push_back(fmt::format("{:.2f} %", 100 * a.worst));
-      mean.push_back(fmt::format("{:.2f} %", 100 * a.mean));
+    for (const auto& [name, of] : {std::pair{"worst", &Agreement::worst}, {"mean", &Agreement::mean}}) {
+      std::vector<double> values;
+      for (const Agreement& a : agreements) values.push_back(a.*of);
+      std::vector<std::string> row{name, "", cad_range(percent, values)};
+      for (std::size_t i = 0; i < others_.size(); ++i)
+        if (others_[i]->role == Role::kMerged) row.push_back(percent(values[i]));
+      row.emplace_back();
+      add_row(text, row);
     }
-    worst.emplace_back(), mean.emplace_back();
-    add_row(text, worst);
-    add_row(text, mean);
     text += '\n';
     judge(agreements);
   }
@@ -160,37 +200,40 @@ class Writer {
   }
 
   void stresses() {
-    std::string& text = tables_.text;
-    std::vector<std::string> heading{"group"};
-    for (const Case& c : cases_) heading.push_back(c.name);
-    add_heading(text, heading);
+    heading("group");
     for (std::size_t g = 0; g < study_.reported.size(); ++g) {
-      std::vector<std::string> row{study_.reported[g]};
-      std::vector<StressSummary> found;
-      Range p95, max;
       const std::vector<SamplePoint> points =
           sample_points(refined_->structure, refined_->structure.reported_faces[g], margin_);
-      for (std::size_t i = 0; i < cases_.size(); ++i) {
-        const Case& c = cases_[i];
-        found.push_back(
-            stress_summary(points, sampled(c.structure, c.structure.reported_faces[g], c.response.von_mises, points)));
-        row.push_back(fmt::format("{:.2f}, {:.2f}", found[i].p95, found[i].max));
-        if (c.role == Role::kCad) p95.add(found[i].p95), max.add(found[i].max);
+      const auto summary = [&](const Case& c) {
+        return stress_summary(points,
+                              sampled(c.structure, c.structure.reported_faces[g], c.response.von_mises, points));
+      };
+      const auto cell = [](const StressSummary& s) { return two_decimals(s.p95) + ", " + two_decimals(s.max); };
+      std::vector<double> p95, max;
+      std::vector<std::string> of_merged;
+      for (const Case* c : others_) {
+        const StressSummary s = summary(*c);
+        p95.push_back(s.p95), max.push_back(s.max);
+        if (c->role == Role::kMerged) of_merged.push_back(cell(s));
       }
-      add_row(text, row);
-      for (std::size_t i = 0; i < cases_.size(); ++i)
-        if (cases_[i].role == Role::kMerged) {
-          compare(cases_[i].name, "95 % stress of " + study_.reported[g], found[i].p95, p95);
-          compare(cases_[i].name, "largest stress of " + study_.reported[g], found[i].max, max);
-        }
+      std::vector<std::string> row{study_.reported[g], cell(summary(*refined_)),
+                                   cad_range(two_decimals, p95) + ", " + cad_range(two_decimals, max)};
+      row.insert(row.end(), of_merged.begin(), of_merged.end());
+      add_row(tables_.text, row);
+      compare("95 % stress of " + study_.reported[g], p95);
+      compare("largest stress of " + study_.reported[g], max);
     }
   }
 
   /// A merged mesh may differ from the nearest mesh from CAD as much as these differ among themselves.
-  void compare(const std::string& name, const std::string& what, double value, const Range& cad) {
-    if (cad.distance(value) > cad.high - cad.low)
-      unmet(fmt::format("{}: {} is {:.2f}, that of the meshes from CAD {:.2f} to {:.2f}", name, what, value, cad.low,
-                        cad.high));
+  void compare(const std::string& what, const std::vector<double>& of_others) {
+    Range cad;
+    for (std::size_t i = 0; i < others_.size(); ++i)
+      if (others_[i]->role == Role::kCad) cad.add(of_others[i]);
+    for (std::size_t i = 0; i < others_.size(); ++i)
+      if (others_[i]->role == Role::kMerged && cad.distance(of_others[i]) > cad.high - cad.low)
+        unmet(fmt::format("{}: {} is {:.2f}, that of the meshes from CAD {:.2f} to {:.2f}", others_[i]->name, what,
+                          of_others[i], cad.low, cad.high));
   }
 
   void unmet(std::string what) { tables_.unmet.push_back(std::move(what)); }
@@ -209,7 +252,7 @@ Tables tables_of(const std::vector<Case>& cases, const Study& study, double marg
   return Writer(cases, study, margin).write();
 }
 
-std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& finer, const Study& study) {
+std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& others, const Study& study) {
   const Case& refined = *std::ranges::find(cases, Role::kRefined, &Case::role);
   std::string text;
   add_heading(text, {"mesh", "faces", "mode 1", "worst", "mean"});
@@ -220,7 +263,7 @@ std::string convergence_of(const std::vector<Case>& cases, const std::vector<Cas
   };
   for (const Case& c : cases)
     if (&c != &refined) add(c);
-  for (const Case& c : finer) add(c);
+  for (const Case& c : others) add(c);
   return text;
 }
 

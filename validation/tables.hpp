@@ -32,10 +32,10 @@ struct Tables {
 [[nodiscard]] Tables tables_of(const std::vector<Case>& cases, const Study& study, double margin);
 
 /// How far the frequencies of meshes of several edge lengths are from those of the refined one: a row for each mesh of
-/// `cases` but that one, then for each of `finer`.
+/// `cases` but that one, then for each of `others`.
 ///
 /// REQUIRES: exactly one of `cases` is kRefined.
-[[nodiscard]] std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& finer,
+[[nodiscard]] std::string convergence_of(const std::vector<Case>& cases, const std::vector<Case>& others,
                                          const Study& study);
 
 }  // namespace meshgraft::validation
