@@ -147,8 +147,7 @@ Triangles triangles_of(const Model& model) {
   return t;
 }
 
-void merge_with_peer(State& state, bool conforming) {
-  const Scene& scene = scene_of(state);
+void merge_with_peer(State& state, const Scene& scene, bool conforming) {
   const Triangles base = triangles_of(scene.base), part = triangles_of(scene.parts[0]);
   PeerOptions options;
   options.conforming = conforming;
@@ -293,9 +292,11 @@ void register_all() {
     add("write", write_merged);
     add("program", [](State& state) { run_program(state, &growing_zone); });
     add("merge", [](State& state) { merge_arrays(state, scene_of(state)); });
-    add("peer", [](State& state) { merge_with_peer(state, true); });
-    add("peer_apart", [](State& state) { merge_with_peer(state, false); });
-    add("zone", [](State& state) { merge_arrays(state, scene_of(state, &constant_zone)); });
+    add("peer", [](State& state) { merge_with_peer(state, scene_of(state), true); });
+    add("peer_apart", [](State& state) { merge_with_peer(state, scene_of(state), false); });
+    add("merge_zone", [](State& state) { merge_arrays(state, scene_of(state, &constant_zone)); });
+    add("peer_zone", [](State& state) { merge_with_peer(state, scene_of(state, &constant_zone), true); });
+    add("peer_apart_zone", [](State& state) { merge_with_peer(state, scene_of(state, &constant_zone), false); });
     if (n < kLeastForGrid || n > kMostForGrid) continue;
     add("grid", [](State& state) { merge_arrays(state, grid_of(state)); });
     add("grid_singly", merge_singly);

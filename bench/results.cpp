@@ -59,14 +59,15 @@ void Results::print_program_table(const std::string& suffix, const std::string& 
   }
 }
 
-void Results::print_array_table() const {
-  fmt::print("\nFrom arrays to arrays: merge and apply, beside CGAL (corefine, isotropic_remeshing of the band)\n");
+void Results::print_array_table(const std::string& suffix, const std::string& title) const {
+  fmt::print("\nFrom arrays to arrays: merge and apply, beside CGAL (corefine, isotropic_remeshing of the band); {}\n",
+             title);
   fmt::print("{:>9} {:>9} {:>9} {:>7} {:>9} | {:>8} {:>7} {:>8} | {:>8} {:>7} {:>8} | {:>8} {:>7} {:>8}\n", "faces",
              "merge ms", "CGAL ms", "ratio", "apart ms", "min Q", "mean", "<0.5 %", "CGAL min", "mean", "<0.5 %",
              "apart", "mean", "<0.5 %");
   for (const auto& [key, merge] : best_) {
-    if (key.first != "merge") continue;
-    const Measured *peer = find("peer", key.second), *apart = find("peer_apart", key.second);
+    if (key.first != "merge" + suffix) continue;
+    const Measured *peer = find("peer" + suffix, key.second), *apart = find("peer_apart" + suffix, key.second);
     if (!peer || !apart) continue;
     fmt::print("{:>9} {:>9.1f} {:>9.1f} {:>7.1f} {:>9.1f}", key.second, merge.seconds * 1e3, peer->seconds * 1e3,
                peer->seconds / merge.seconds, apart->seconds * 1e3);
@@ -116,10 +117,11 @@ void Results::print_stage_table(const std::string& what, const std::string& titl
 void Results::print_tables() const {
   print_program_table("_zone", "stiffener of 42 edges");
   print_program_table("", "zone growing with the model");
-  print_array_table();
+  print_array_table("_zone", "stiffener of 42 edges");
+  print_array_table("", "zone growing with the model");
   print_grid_table();
   print_stage_table("merge", "Stages of merge in ms, zone growing with the model");
-  print_stage_table("zone", "Stages of merge in ms, the same zone in a growing model");
+  print_stage_table("merge_zone", "Stages of merge in ms, the same zone in a growing model");
 }
 
 }  // namespace meshgraft::bench

@@ -23,7 +23,7 @@ class Results : public benchmark::ConsoleReporter {
  private:
   [[nodiscard]] const Measured* find(const std::string& what, long n_faces) const;
   void print_program_table(const std::string& suffix, const std::string& title) const;
-  void print_array_table() const;
+  void print_array_table(const std::string& suffix, const std::string& title) const;
   void print_grid_table() const;
   void print_stage_table(const std::string& what, const std::string& title) const;
 
