@@ -130,6 +130,8 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
         if (c.t <= 0 || c.t >= 1 || d > gap) continue;
+        // At an end that it did not become: the two would be in one place.
+        if (std::min(distance(c.point, m.at(low)), distance(c.point, m.at(high))) <= snap.weld) continue;
         if (d > near && !other.is_feature_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;

@@ -35,7 +35,7 @@ class FlatFaces {
       open_.pop_back();
       if (pieces_[i].is_gone) continue;
       const Base base = base_of(pieces_[i].corners);
-      if (base.height > pieces_[i].height) continue;
+      if (base.height > pieces_[i].height || has_no_length(base)) continue;
       const std::vector<std::uint32_t> beside = others_at(base, i);
       if (const auto longer = longer_line(base, beside)) {
         open_.insert(open_.end(), {i, *longer});
@@ -77,6 +77,12 @@ class FlatFaces {
     }
     const double height = length[longest] > 0 ? 2 * area(triangle(v)) / length[longest] : 0;
     return {edge_of(v[longest], v[(longest + 1) % 3]), v[(longest + 2) % 3], height};
+  }
+
+  /// Two corners in one place: without the face, its neighbour across the base would be such a one, and so on around
+  /// the corner without end.
+  [[nodiscard]] bool has_no_length(const Base& base) const {
+    return std::ranges::any_of(base.ends, [&](VertexId end) { return distance(at(end), at(base.top)) <= none_; });
   }
 
   /// The edges of a piece that may be the base of a face that goes.

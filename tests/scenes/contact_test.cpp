@@ -200,6 +200,30 @@ TEST(KeptContact, OfTwoBoxesOnEachOtherTheCommonWallIsKeptOnce) {
   }
 }
 
+/// A plate that leans over the edge of another is in reach of that with a node beyond it: where rounding said so, the
+/// node came into the place where the edges of the two cross.
+TEST(FusedContact, ANodeBeyondTheBorderDoesNotMoveToWhereItsEdgeCrossesThat) {
+  const auto turned = [](Vec3 p) {
+    const Vec3 q{p.x, std::cos(1.1) * p.y - std::sin(1.1) * p.z, std::sin(1.1) * p.y + std::cos(1.1) * p.z};
+    return Vec3{std::cos(0.7) * q.x - std::sin(0.7) * q.y, std::sin(0.7) * q.x + std::cos(0.7) * q.y, q.z};
+  };
+  const Model wall = scenes::moved(scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 0.6, 0}, 0.05, "WALL"), turned);
+  for (const double beyond : {0.0082, 0.0083, 0.0084, 0.0085, 0.0086}) {
+    SCOPED_TRACE(testing::Message() << beyond << " beyond the edge");
+    const auto leaning = [&](Vec3 p) {
+      return turned(p - Vec3{0, 0, 0.0075 + 0.0029 * (p.x - 0.489) + 0.00655 * (p.y + 0.133)});
+    };
+    const Model part =
+        scenes::moved(scenes::plate({0.271, -0.55 - beyond, 0}, {0.4546, 0, 0}, {0, 0.85, 0}, 0.05, "PART"), leaning);
+    MergeOptions options;
+    options.tolerance = {0.015086, false};
+    const auto merged = merge(wall, std::span(&part, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    EXPECT_GE(merged->report.quality.min, 0.5);
+  }
+}
+
 /// By formula: the second plate has 0.63 x 1.1 on the wall, the third 0.47 x 0.93, all three 0.47 x 0.54 in common.
 TEST(Stacks, TheReportNamesEachSetOfMeshesThatLieOnEachOther) {
   const scenes::Merge& scene = scene_named("three_in_partial_overlap");
