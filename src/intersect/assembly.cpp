@@ -44,7 +44,8 @@ std::vector<std::uint32_t> ItemsAt::at(std::span<const VertexId> vertices) const
 }
 
 Assembly::Assembly(const Complex& complex, std::span<const double> size)
-    : whole_(complex),
+    : input_(complex),
+      whole_(complex),
       size_(size),
       faces_at_(complex.n_vertices(), complex.face),
       lines_at_(complex.n_vertices(), ends_of(complex.lines)),
@@ -100,6 +101,7 @@ CutOut Assembly::around(std::span<const FaceId> faces) const {
     const auto& v = pieces[i].corners;
     c.add_face({local(v[0]), local(v[1]), local(v[2])}, whole_, FaceId(std::size_t{out.face[i]}));
     out.marks.size.push_back(size_[out.face[i]]);
+    out.marks.input.push_back(input_.corners(FaceId(std::size_t{out.face[i]})));
     c.face_groups.back() = pieces[i].groups;
     if (!pieces[i].layers.empty()) c.layers.resize(pieces.size()), c.layers[i] = pieces[i].layers;
     if (pieces[i].kept) out.marks.kept.resize(pieces.size()), out.marks.kept[i] = 1;

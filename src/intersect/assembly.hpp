@@ -36,7 +36,7 @@ struct CutOut {
 
 class Assembly {
  public:
-  /// `size`: by face, its mean edge length.
+  /// `complex` must outlive this. `size`: by face, its mean edge length.
   Assembly(const Complex& complex, std::span<const double> size);
 
   /// The pieces of the given faces (ascending, of the original complex) and all that share a vertex
@@ -67,6 +67,7 @@ class Assembly {
   void set_pieces(std::uint32_t face, std::vector<Piece> pieces);
   void set_pieces_of_line(std::uint32_t line, std::vector<Complex::Line> pieces);
 
+  const Complex& input_;
   Complex whole_;  // its vertices are those of now; its faces and lines as they were
   std::span<const double> size_;
   ItemsAt faces_at_, lines_at_, fixed_at_;

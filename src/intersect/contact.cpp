@@ -41,12 +41,13 @@ struct Boxed {
   Box all;
 };
 
-Boxed boxed(const Complex& complex, std::span<const FaceId> faces, const Box* in, std::span<const double> size,
+template <class F>
+Boxed boxed(F&& corners, std::span<const FaceId> faces, const Box* in, std::span<const double> size,
             const ContactRule& rule, std::span<const Reach> reach) {
   Boxed found;
   for (const FaceId f : faces) {
     Box box;
-    for (const Vec3 p : complex.corners(f)) box.add(p);
+    for (const Vec3 p : corners(f)) box.add(p);
     const Reach own = reach.empty() ? Reach{} : reach[f.value];
     box = box.grown(rule.gap(size[f.value]) + std::max(-own.low, own.high));
     if (in != nullptr && !in->overlaps(box)) continue;
@@ -101,9 +102,11 @@ bool ContactRule::is_flat(Vec3 unit_normal, Vec3 other) const {
 }
 
 Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, std::span<const FaceId> second,
-                       std::span<const double> size, const ContactRule& rule, std::span<const Reach> reach) {
-  const Boxed b = boxed(complex, second, nullptr, size, rule, reach);
-  const Boxed a = boxed(complex, first, &b.all, size, rule, reach);
+                       std::span<const double> size, const ContactRule& rule, std::span<const Reach> reach,
+                       std::span<const Triangle> lying_at) {
+  const auto corners = [&](FaceId f) { return lying_at.empty() ? complex.corners(f) : lying_at[f.value]; };
+  const Boxed b = boxed(corners, second, nullptr, size, rule, reach);
+  const Boxed a = boxed(corners, first, &b.all, size, rule, reach);
   const BoxTree tree(b.boxes);
   struct Found {
     std::array<FaceId, 2> pair;
@@ -113,11 +116,11 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   auto found = collected<Found>(
       a.faces.size(),
       [&](std::size_t i, std::vector<Found>& out) {
-        const Triangle t = complex.corners(a.faces[i]);
+        const Triangle t = corners(a.faces[i]);
         const Vec3 n = unit_normal(t);
         tree.overlapping(a.boxes[i], [&](std::uint32_t j) {
           const FaceId f = a.faces[i], g = b.faces[j];
-          const Triangle u = complex.corners(g);
+          const Triangle u = corners(g);
           const Vec3 m = unit_normal(u);
           if (!rule.is_flat(n, m)) return;
           const double smaller = std::min(size[f.value], size[g.value]);
@@ -162,8 +165,13 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
 
 bool have_common_area(const Triangle& t, const Triangle& u) { return common_area(t, u, {}).whole > 0; }
 
-Cover::Cover(std::vector<Triangle> faces, std::vector<double> size, std::span<const std::array<VertexId, 3>> corners)
-    : faces_(std::move(faces)), size_(std::move(size)), border_edge_(faces_.size()), border_corner_(faces_.size()) {
+Cover::Cover(std::vector<Triangle> faces, std::vector<double> size, std::vector<Vec3> unit_normal,
+             std::span<const std::array<VertexId, 3>> corners)
+    : faces_(std::move(faces)),
+      size_(std::move(size)),
+      unit_normal_(std::move(unit_normal)),
+      border_edge_(faces_.size()),
+      border_corner_(faces_.size()) {
   std::vector<Box> boxes(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f)
     for (const Vec3 p : faces_[f]) boxes[f].add(p);
@@ -220,7 +228,7 @@ bool Cover::covers(Vec3 p, Vec3 unit_normal, const ContactRule& rule) const {
   const Foot at = foot(p);
   const double size = size_[at.face], off = rule.weld(size) + kLeaning * std::abs(at.height);
   return std::abs(at.height) <= rule.gap(size) && (!at.on_border || at.beside <= off) &&
-         rule.is_flat(unit_normal, meshgraft::unit_normal(faces_[at.face]));
+         rule.is_flat(unit_normal, unit_normal_[at.face]);
 }
 
 }  // namespace meshgraft

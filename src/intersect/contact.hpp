@@ -30,14 +30,16 @@ struct ContactRule {
 struct Contacts {
   std::vector<std::array<FaceId, 2>> pairs;  // ascending
   /// By pair: within the gap over most of the area that they, and each of them and the other side, have in
-  /// common; or without common area and so near that snapping may give them some. None if there is no area, and not where
-  /// faces abut around a fold from others that lie on each other.
+  /// common; or without common area and so near that snapping may give them some. None if there is no area, and not
+  /// where faces abut around a fold from others that lie on each other.
   std::vector<std::uint8_t> on_each_other;
 };
-/// `reach`: by face, see FaceMarks; may be empty.
+/// `reach`: by face, see FaceMarks; may be empty. `lying_at`: by face, its corners as contact is told by them; empty:
+/// where they are.
 [[nodiscard]] Contacts find_contacts(const Complex& complex, std::span<const FaceId> first,
                                      std::span<const FaceId> second, std::span<const double> size,
-                                     const ContactRule& rule, std::span<const Reach> reach = {});
+                                     const ContactRule& rule, std::span<const Reach> reach = {},
+                                     std::span<const Triangle> lying_at = {});
 
 /// Whether one of two faces lies over part of the other, seen along the normal of the first, at any height.
 [[nodiscard]] bool have_common_area(const Triangle& t, const Triangle& u);
@@ -46,8 +48,9 @@ struct Contacts {
 class Cover {
  public:
   Cover() = default;
-  /// `corners` tell which faces are neighbours.
-  Cover(std::vector<Triangle> faces, std::vector<double> size, std::span<const std::array<VertexId, 3>> corners);
+  /// `unit_normal`: of the surface at each face, which may be bent there. `corners` tell which faces are neighbours.
+  Cover(std::vector<Triangle> faces, std::vector<double> size, std::vector<Vec3> unit_normal,
+        std::span<const std::array<VertexId, 3>> corners);
 
   struct Foot {
     std::uint32_t face = 0;  // position in the list
@@ -67,6 +70,7 @@ class Cover {
 
   std::vector<Triangle> faces_;
   std::vector<double> size_;
+  std::vector<Vec3> unit_normal_;
   std::vector<std::array<std::uint8_t, 3>> border_edge_, border_corner_;  // by face; edge k runs from corner k
   BoxTree tree_;
 };

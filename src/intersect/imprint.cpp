@@ -157,6 +157,22 @@ class Imprinter {
 
 }  // namespace
 
+std::vector<Triangle> unbent_faces(const Complex& complex, const FaceMarks& marks, const SnapRule& snap) {
+  std::vector<Triangle> faces;
+  faces.reserve(complex.n_faces());
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+    Triangle t = complex.corners(FaceId(f));
+    const Triangle& input = marks.input[f];
+    const Vec3 n = unit_normal(input);
+    const auto height = [&](Vec3 p) { return dot(n, p - input[0]); };
+    const double weld = snap.at(marks.size[f]).weld;
+    if (std::ranges::any_of(t, [&](Vec3 p) { return std::abs(height(p)) > weld; }))
+      for (Vec3& p : t) p -= height(p) * n;
+    faces.push_back(t);
+  }
+  return faces;
+}
+
 std::optional<ImprintFault> apply(Meeting& meeting, const std::array<Imprint, 2>& imprint, FaceMarks& marks) {
   return Imprinter(meeting, imprint).run(marks);
 }

@@ -16,15 +16,20 @@ struct FaceMarks {
   std::vector<FaceId> from;           // the face that it was, or was part of, before its component was joined
   std::vector<std::uint8_t> kept;     // lies in an area of contact that stays as it is; empty: there is none
   std::vector<Reach> reach;           // of what lay on it; empty: nothing lay off any face
+  std::vector<Triangle> input;        // its input face, where that was before anything was moved
 
   /// One more face, like face f of `other`.
   void add(const FaceMarks& other, std::size_t f) {
     size.push_back(other.size[f]), touched.push_back(other.touched[f]), active.push_back(other.active[f]);
-    from.push_back(other.from[f]);
+    from.push_back(other.from[f]), input.push_back(other.input[f]);
     if (!other.kept.empty()) kept.push_back(other.kept[f]);
     if (!other.reach.empty()) reach.push_back(other.reach[f]);
   }
 };
+
+/// By face of the complex: its corners, or, of a face with corners that were moved off the plane of its input face,
+/// their feet there. What ends on a mesh at a distance is bent beside that; what it lies on is told by how it lay.
+[[nodiscard]] std::vector<Triangle> unbent_faces(const Complex& complex, const FaceMarks& marks, const SnapRule& snap);
 
 /// Why an imprint failed.
 struct ImprintFault {

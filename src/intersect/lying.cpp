@@ -132,8 +132,17 @@ class Declarer {
     for (const Spot& spot : spots) {
       if (m_.has_symbol(s, spot.vertex)) continue;
       if (spot.dimension == 0 && m_.has_symbol(o, VertexId(std::size_t{spot.on}))) continue;
+      if (spot.dimension == 1 && is_taken(o, spot)) continue;
       declare(s, spot);
     }
+  }
+
+  /// Several vertices of one line that crosses an edge are beside it, and one can slide to where they meet.
+  [[nodiscard]] bool is_taken(std::size_t o, const Spot& spot) const {
+    const double weld = l_.rule.weld(l_.size(o, m_.side[o].faces_at_edge(spot.on)[0]));
+    return std::ranges::any_of(m_.symbols, [&](const Symbol& symbol) {
+      return m_.on_edge(symbol, o, spot.on) && distance(l_.at(o, symbol.vertex), spot.point) <= weld;
+    });
   }
 
   void add_spots(std::size_t s, VertexId v, const FacePair& p, std::vector<Spot>& spots) const {
@@ -183,8 +192,8 @@ class Declarer {
     }
   }
 
-  /// What of face g a point on it lies on, within the weld length. Nothing at a corner that is taken: the vertex
-  /// lies beyond a corner of the border which became another point.
+  /// What of face g a point on it lies on, within the weld length. Nothing at a corner or place that is taken: the
+  /// vertex lies beyond the border, which became another point there.
   [[nodiscard]] std::optional<Spot> spot_at(std::size_t o, LocalFace g, VertexId v, Vec3 point, double size) const {
     const Vec3 own = l_.at(1 - o, v);
     const Side& other = m_.side[o];
@@ -196,7 +205,9 @@ class Declarer {
       }
     for (const LocalEdge e : other.edges(g)) {
       const SegmentPoint c = closest_on_segment(point, l_.at(o, other.ends(e)[0]), l_.at(o, other.ends(e)[1]));
-      if (distance(c.point, point) <= weld && c.t > 0 && c.t < 1) return Spot{v, 1, 0, e, c.t, c.point, own};
+      if (distance(c.point, point) > weld || c.t <= 0 || c.t >= 1) continue;
+      const Spot spot{v, 1, 0, e, c.t, c.point, own};
+      return is_taken(o, spot) ? std::nullopt : std::optional(spot);
     }
     return Spot{v, 2, 0, g, 0, point, own};
   }
@@ -298,6 +309,7 @@ void find_imprinted(LyingMeeting& l) {
 void build_cover(LyingMeeting& l, std::size_t s) {
   std::vector<Triangle> triangles;
   std::vector<double> sizes;
+  std::vector<Vec3> normals;
   std::vector<std::array<VertexId, 3>> corners;
   l.cover_face[s].clear();
   for (LocalFace f = 0; f < l.meeting.side[s].n_faces(); ++f) {
@@ -305,9 +317,10 @@ void build_cover(LyingMeeting& l, std::size_t s) {
     l.cover_face[s].push_back(f);
     triangles.push_back(l.triangle(s, f));
     sizes.push_back(l.size(s, f));
+    normals.push_back(l.normal(s, f));
     corners.push_back(l.meeting.side[s].corners(f));
   }
-  l.cover[s] = Cover(std::move(triangles), std::move(sizes), corners);
+  l.cover[s] = Cover(std::move(triangles), std::move(sizes), std::move(normals), corners);
 }
 
 void declare_lying(LyingMeeting& l) { Declarer(l).run(); }

@@ -24,7 +24,8 @@ struct LyingMeeting {
   /// have to be imprinted too.
   bool takes_over = true;
 
-  std::span<const Reach> reach;  // by face of the complex; empty: there is none
+  std::span<const Reach> reach;      // by face of the complex; empty: there is none
+  std::span<const Triangle> unbent;  // by face of the complex, see unbent_faces()
 
   std::vector<FacePair> pairs;                                // that lie on each other, ascending
   std::array<std::vector<std::uint8_t>, 2> is_flat;           // by local face: flat to a face of the other side near it
@@ -47,6 +48,10 @@ struct LyingMeeting {
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const {
     const auto& c = meeting.side[s].corners(f);
     return {at(s, c[0]), at(s, c[1]), at(s, c[2])};
+  }
+  /// Of a face as it lay before it was bent.
+  [[nodiscard]] Vec3 normal(std::size_t s, LocalFace f) const {
+    return unit_normal(unbent[meeting.side[s].face(f).value]);
   }
   /// Edge length that lengths at a pair of faces are measured by.
   [[nodiscard]] double size(std::size_t s, LocalFace f) const { return meeting.size[meeting.side[s].face(f).value]; }

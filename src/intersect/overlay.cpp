@@ -43,12 +43,14 @@ class Overlayer {
       : complex_(complex), groups_(groups), marks_(marks), sides_(sides), rule_{options, snap} {}
 
   tl::expected<Overlaid, ImprintFault> run() {
-    Contacts contacts = find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_, marks_.reach);
+    unbent_ = unbent_faces(complex_, marks_, rule_.snap);
+    Contacts contacts =
+        find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_, marks_.reach, unbent_);
     if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
       return Overlaid{};
     if (auto fault = find_two_layers(complex_, contacts)) return failed(std::move(*fault));
     out_.behind = take_out_behind(complex_, contacts);
-    before_ = complex_.position, component_before_ = complex_.component;
+    component_before_ = complex_.component;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
                                 sides_.own[1], rule_.options.sharp_angle, faces_beside(contacts)),
@@ -56,6 +58,7 @@ class Overlayer {
                    rule_.options.overlap == Overlap::kKeepPart ? 1u : 0u,
                    takes_over(),
                    marks_.reach,
+                   unbent_,
                    {},
                    {},
                    {},
@@ -128,7 +131,7 @@ class Overlayer {
       l.pairs.push_back(l.meeting.pairs[i]);
       for (const std::size_t s : kSides) l.in_contact[s][l.meeting.pairs[i][s]] = 1;
     }
-    if (!marks_.reach.empty()) draw_together(l);
+    draw_together(l);
     for (const std::size_t s : kSides) build_cover(l, s);
   }
 
@@ -209,8 +212,7 @@ class Overlayer {
   /// A region lies on `cover` if most of its area does.
   void classify(const LyingMeeting& l, std::size_t s, const Cover& cover, Pieces& p) const {
     std::vector<Vec3> normal;
-    for (const FaceId f : p.faces)
-      normal.push_back(unit_normal(l.triangle(s, l.meeting.side[s].find(marks_.from[f.value]))));
+    for (const FaceId f : p.faces) normal.push_back(l.normal(s, l.meeting.side[s].find(marks_.from[f.value])));
     UnionFind region = regions(complex_, p.faces, normal, l.walls, rule_);
     std::vector<double> vote(p.size(), 0);
     for (std::uint32_t i = 0; i < p.size(); ++i) {
@@ -228,15 +230,17 @@ class Overlayer {
     std::vector<FaceId> covered;
     std::vector<Triangle> triangles;
     std::vector<double> sizes;
+    std::vector<Vec3> normals;
     std::vector<std::array<VertexId, 3>> corners;
     for (std::size_t i = 0; i < going.size(); ++i) {
       if (!going.covered[i]) continue;
       covered.push_back(going.faces[i]);
       triangles.push_back(chart_triangle(l, l.goes(), going.faces[i]));
       sizes.push_back(marks_.size[going.faces[i].value]);
+      normals.push_back(unit_normal(unbent_[marks_.from[going.faces[i].value].value]));
       corners.push_back(complex_.face[going.faces[i].value]);
     }
-    const Cover cover(triangles, sizes, corners);
+    const Cover cover(triangles, sizes, normals, corners);
     classify(l, l.stays, cover, staying);
     for (std::size_t i = 0; i < staying.size(); ++i)
       if (staying.covered[i])
@@ -328,9 +332,7 @@ class Overlayer {
 
   void extend_reach(const LyingMeeting& l, FaceId f, FaceId g) {
     const Triangle on = chart_triangle(l, l.stays, f);
-    Triangle going;
-    const auto& corners = l.meeting.side[l.goes()].corners(l.meeting.side[l.goes()].find(marks_.from[g.value]));
-    for (std::size_t k = 0; k < 3; ++k) going[k] = before_[corners[k].value];
+    const Triangle& going = unbent_[marks_.from[g.value].value];
     const double height = height_above(on, going);
     Reach of_going = marks_.reach.empty() ? Reach{} : marks_.reach[g.value];
     if (dot(area_vector(on), area_vector(going)) < 0) of_going = of_going.turned();
@@ -357,7 +359,7 @@ class Overlayer {
   FaceMarks& marks_;
   const Sides& sides_;
   ContactRule rule_;
-  std::vector<Vec3> before_;                     // position by vertex, before anything is moved
+  std::vector<Triangle> unbent_;                 // by face, before any is cut
   std::vector<std::uint32_t> component_before_;  // by face, before any is cut
   std::vector<std::uint8_t> on_both_;            // by vertex: it has a symbol
   Overlaid out_;

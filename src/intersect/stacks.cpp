@@ -88,28 +88,36 @@ std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& con
 
 void draw_together(LyingMeeting& l) {
   struct Nearest {
-    double distance = std::numeric_limits<double>::infinity();
-    Vec3 shift;
+    double distance = std::numeric_limits<double>::infinity();  // of where it lay
+    Vec3 to;
   };
   const std::size_t s = l.goes();
+  const double all_the_way = std::numeric_limits<double>::infinity();
+  const bool is_bent = std::ranges::any_of(l.pairs, [&](const FacePair& p) {
+    const FaceId g = l.meeting.side[s].face(p[s]);
+    return l.unbent[g.value] != l.meeting.complex.corners(g);
+  });
   std::map<VertexId, Nearest> nearest;
   for (const FacePair& p : l.pairs) {
     const FaceId f = l.meeting.side[l.stays].face(p[l.stays]), g = l.meeting.side[s].face(p[s]);
     const Triangle t = l.triangle(l.stays, p[l.stays]);
     const Vec3 n = unit_normal(t);
-    Reach between = l.reach[f.value];
-    const bool same_way = dot(n, unit_normal(l.triangle(s, p[s]))) > 0;
-    const Reach own = same_way ? l.reach[g.value].turned() : l.reach[g.value];
-    between.low += own.low, between.high += own.high;
-    if (between == Reach{}) continue;
-    for (const VertexId v : l.meeting.side[s].corners(p[s])) {
-      const Vec3 at = l.at(s, v);
-      const double d = distance(at, closest_on_triangle(at, t).point);
+    const Triangle& u = l.unbent[g.value];
+    Reach between;
+    if (is_bent) {
+      between = {-all_the_way, all_the_way};
+    } else if (!l.reach.empty()) {
+      const Reach own = dot(n, unit_normal(u)) > 0 ? l.reach[g.value].turned() : l.reach[g.value];
+      between = {l.reach[f.value].low + own.low, l.reach[f.value].high + own.high};
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = l.meeting.side[s].corners(p[s])[k];
+      const double d = distance(u[k], closest_on_triangle(u[k], t).point);
       if (d >= nearest[v].distance) continue;
-      nearest[v] = {d, std::clamp(dot(n, at - t[0]), between.low, between.high) * n};
+      nearest[v] = {d, u[k] - std::clamp(dot(n, u[k] - t[0]), between.low, between.high) * n};
     }
   }
-  for (const auto& [v, to] : nearest) l.meeting.chart[s][v.value] -= to.shift;
+  for (const auto& [v, drawn] : nearest) l.meeting.chart[s][v.value] = drawn.to;
 }
 
 double height_above(const Triangle& face, const Triangle& other) {

@@ -17,8 +17,9 @@ namespace meshgraft {
 /// U-profile over the edge of a plate: the plate cannot be one with both.
 [[nodiscard]] std::optional<JunctionFault> find_two_layers(const Complex& complex, const Contacts& contacts);
 
-/// Draws the side that goes towards the one that stays by what lay between them (Reach), where they
-/// are in contact: in its chart, not in the complex.
+/// Draws the side that goes towards the one that stays by what lay between them (Reach), where they are in contact: in
+/// its chart, not in the complex. Where some of it is bent there, all of it is drawn onto the other from where it lay
+/// before, so that nothing stands askew.
 void draw_together(LyingMeeting& lying);
 
 /// Height of the plane of `other` above the middle of a face, along its normal.

@@ -63,7 +63,7 @@ class Tracer {
         midpoint(l_.at(1 - s, m_.symbols[from.symbol].vertex), l_.at(1 - s, m_.symbols[to.symbol].vertex));
     const auto faces = m_.side[s].faces_at_edge(e);
     return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) {
-      const Vec3 n = unit_normal(l_.triangle(s, f));
+      const Vec3 n = l_.normal(s, f);
       const Cover& cover = l_.cover[1 - s];
       return l_.in_contact[s][f] && (cover.covers(seen, n, l_.rule) || cover.covers(own, n, l_.rule));
     });

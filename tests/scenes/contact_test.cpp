@@ -200,6 +200,47 @@ TEST(KeptContact, OfTwoBoxesOnEachOtherTheCommonWallIsKeptOnce) {
   }
 }
 
+/// A base, and what lies on it in one direction or the other within the tolerance of 0.04, must merge.
+void expect_stack(const Model& base, const std::vector<Model>& parts, Overlap overlap) {
+  MergeOptions options;
+  options.tolerance = {0.04, false}, options.overlap = overlap;
+  const auto merged = merge(base, parts, options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  if (overlap != Overlap::kProject) {
+    EXPECT_TRUE(meshgraft::check(apply(base, parts, *merged)).sound());
+  }
+}
+
+/// Beside the border of a part at a distance the base is bent, more steeply than faces in contact may be: what lies on
+/// it was told by how it lay then, and some of the base stayed under the next part.
+TEST(KeptContact, APartMayCoverWhereTheBorderOfAnotherHasBentTheBase) {
+  const Model wall = scenes::staggered_plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "WALL", 0.15);
+  for (const double beyond : {0.04, 0.07, 0.1, 0.13})
+    for (const double height : {0.02, 0.035}) {
+      SCOPED_TRACE(testing::Message() << beyond << " beyond the border, at " << height);
+      const Model first = scenes::staggered_plate({0.53, 0.47, height}, {0.9, 0, 0}, {0, 1.03, 0}, 0.1, "FIRST", 0.15);
+      const Model second =
+          scenes::staggered_plate({0.53 - beyond, 0.77, height}, {0.5, 0, 0}, {0, 0.43, 0}, 0.1, "SECOND", 0.15);
+      expect_stack(wall, {first, second}, Overlap::kKeepPart);
+    }
+}
+
+/// The mesh of one part has a node on the T-line at each of its edges: several within what slides to the border of the
+/// next part that crosses the line.
+TEST(KeptContact, NodesOfALineThatCrossesABorderDoNotSlideToOnePlace) {
+  const std::array<Model, 3> pieces{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.2, "WALL"),
+                                    scenes::plate({0, 1, 0}, {2, 0, 0}, {0, 1, 0}, 0.2, "WALL"),
+                                    scenes::plate({0, 1, 0}, {2, 0, 0}, {0, 0, -0.4}, 0.2, "RIB")};
+  const Model wall = scenes::welded(scenes::together(pieces));
+  for (const double x : {1.69, 1.7, 1.71, 1.72, 1.73, 1.74}) {
+    SCOPED_TRACE(testing::Message() << "border at " << x);
+    const Model first = scenes::plate({1.43, 0.24, 0}, {0.85, 0, 0}, {0, 0.95, 0}, 0.1, "FIRST", 0.15);
+    const Model second = scenes::plate({x, 0.55, 0.0135}, {0.92, 0, 0}, {0, 0.79, 0}, 0.2, "SECOND", 0.15);
+    expect_stack(wall, {first, second}, Overlap::kKeepPart);
+  }
+}
+
 /// A plate that leans over the edge of another is in reach of that with a node beyond it: where rounding said so, the
 /// node came into the place where the edges of the two cross.
 TEST(FusedContact, ANodeBeyondTheBorderDoesNotMoveToWhereItsEdgeCrossesThat) {
