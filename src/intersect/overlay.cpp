@@ -8,6 +8,7 @@
 #include "core/union_find.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/flat_faces.hpp"
+#include "intersect/follow.hpp"
 #include "intersect/links.hpp"
 #include "intersect/lying.hpp"
 #include "intersect/stacks.hpp"
@@ -91,6 +92,7 @@ class Overlayer {
     take_out_flat(l, [&](double size) { return rule_.beside(size); });
     let_go_of_bare(l, cut_in_vain);
     take_out_points(complex_, marks_, cut_in_vain, before);
+    let_neighbours_follow(complex_, marks_, faces_of(l.goes()), out_.moved);
     return std::move(out_);
   }
 
@@ -296,6 +298,13 @@ class Overlayer {
         const std::size_t v = edge.chain[i].value;
         if (!is_needed[v] && complex_.state[v] == VertexState::kOpen) edge.may_go[i] = 1;
       }
+  }
+
+  /// By face as they are now: of a side.
+  [[nodiscard]] std::vector<std::uint8_t> faces_of(std::size_t s) const {
+    std::vector<std::uint8_t> own;
+    for (const FaceId from : marks_.from) own.push_back(sides_.own[s][from.value]);
+    return own;
   }
 
   /// A face that stays, and the one that lies on it and goes.

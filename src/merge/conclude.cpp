@@ -64,13 +64,14 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
   std::vector<Warning> loose_ends, near_misses, creases;
-  tbb::parallel_invoke([&] { result = check_result(outcome, translated, options.tolerance); },
-                       [&] { fidelity = fidelity_of(outcome, options.tolerance); },
-                       [&] { coverage = coverage_of(outcome, options.tolerance); },
-                       [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
-                       [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
-                       [&] { quality = quality_of(outcome, bad, options.min_quality); },
-                       [&] { summarise(outcome, report); });
+  Tolerance drawn = options.tolerance;
+  drawn.value *= static_cast<double>(gaps_in_a_row(outcome.corefined));
+  tbb::parallel_invoke(
+      [&] { result = check_result(outcome, translated, options.tolerance); },
+      [&] { fidelity = fidelity_of(outcome, drawn); }, [&] { coverage = coverage_of(outcome, options.tolerance); },
+      [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
+      [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
+      [&] { quality = quality_of(outcome, bad, options.min_quality); }, [&] { summarise(outcome, report); });
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
   append(report.warnings, std::move(loose_ends));

@@ -59,6 +59,14 @@ void keep(std::vector<T>& list, std::span<const std::uint8_t> marked) {
   list.resize(n);
 }
 
+/// Ascending.
+std::vector<std::pair<ElementRef, FaceId>> pieces_by_parent(const Complex& complex) {
+  std::vector<std::pair<ElementRef, FaceId>> pieces;
+  for (std::size_t f = 0; f < complex.n_faces(); ++f) pieces.emplace_back(complex.parent[f], FaceId(f));
+  std::ranges::sort(pieces);
+  return pieces;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> pieces_of(const Complex& complex, std::span<const Edge> borders) {
@@ -105,12 +113,21 @@ void drop_faces(Corefined& corefined, std::span<const std::uint8_t> marked, cons
 void add_stretch(const Complex& original, const Corefined& corefined, const NodePlaces& places, const GroupSets& sets,
                  std::size_t n_groups, Dropped& dropped) {
   dropped.stretched_area.resize(n_groups), dropped.stretched_length.resize(n_groups);
+  const auto left_of = [&, pieces = pieces_by_parent(corefined.complex)](ElementRef parent) {
+    double sum = 0;
+    for (const auto& piece : std::ranges::equal_range(pieces, parent, {}, &std::pair<ElementRef, FaceId>::first))
+      sum += area(corefined.complex.corners(piece.second));
+    return sum;
+  };
   for (std::size_t f = 0; f < original.n_faces(); ++f) {
     const ElementRef parent = original.parent[f];
-    if (!places.is_moved(parent) ||
-        std::ranges::binary_search(corefined.covered, parent, {}, &Corefined::Covered::face))
-      continue;
-    const double growth = area(places.of(parent)) - area(original.corners(FaceId(f)));
+    const auto covered = std::ranges::equal_range(corefined.covered, parent, {}, &Corefined::Covered::face);
+    if (covered.empty() && !places.is_moved(parent)) continue;
+    double now = 0;
+    if (covered.empty()) now = area(places.of(parent));
+    for (const Corefined::Covered& went : covered) now += went.area;
+    if (!covered.empty()) now += left_of(parent);
+    const double growth = now - area(original.corners(FaceId(f)));
     for (const GroupId g : sets.members(original.face_groups[f])) dropped.stretched_area[g.value] += growth;
   }
   for (const Complex::Line& line : original.lines) {

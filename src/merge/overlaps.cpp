@@ -1,9 +1,11 @@
 #include "merge/overlaps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 
 namespace meshgraft {
@@ -92,6 +94,22 @@ std::vector<OverlapEntry> overlap_entries(Inputs inputs, const Components& compo
     if (sum.area > 0) entry.at = sum.moment / sum.area;
   }
   return entries;
+}
+
+std::size_t gaps_in_a_row(const Corefined& corefined) {
+  std::vector<std::array<std::uint32_t, 2>> drawn;  // a component, and the one that it was drawn onto
+  for (const Corefined::Covered& face : corefined.covered)
+    if (!face.has_heir) drawn.push_back({face.component, face.on});
+  make_distinct(drawn);
+  // One that is kept has a rank above all that are drawn onto it: longest chains, one link more in each round.
+  std::map<std::uint32_t, std::size_t> gaps;
+  std::size_t most = 1;
+  for (std::size_t round = 0; round < drawn.size(); ++round)
+    for (const auto& [from, onto] : drawn) {
+      gaps[onto] = std::max(gaps[onto], std::min(gaps[from] + 1, drawn.size()));
+      most = std::max(most, gaps[onto]);
+    }
+  return most;
 }
 
 Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined) {

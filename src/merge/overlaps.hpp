@@ -34,6 +34,10 @@ void add_losses(Inputs inputs, const Corefined& corefined, const Complex& final_
                                                         const Corefined& corefined, const Complex& final_complex,
                                                         bool all_layers);
 
+/// Over how many gaps in a row what goes without an heir was drawn: of three meshes apart, the last of which is kept,
+/// the first ends on the second and then, with it, on the third. At least 1.
+[[nodiscard]] std::size_t gaps_in_a_row(const Corefined& corefined);
+
 /// kOverlap if all faces of an input go.
 [[nodiscard]] Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined);
 

@@ -168,7 +168,8 @@ TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
        {"doubler_above", "doubler_below", "doubler_at_free_edge", "doubler_in_corner", "partial_overlap_1_8",
         "three_in_partial_overlap", "two_doublers_on_one_place", "doubler_on_doubler", "three_doublers_on_one_place",
         "doubler_on_doubler_apart", "doubler_beyond_doubler_apart", "plate_between_wall_and_doubler",
-        "doubler_and_web_through_a_line", "doubler_and_webs_through_a_point"})
+        "doubler_and_web_through_a_line", "doubler_and_webs_through_a_point", "leaning_doublers",
+        "doublers_apart_over_and_under_t_line"})
     expect_good(name, Overlap::kKeepPart);
 }
 
