@@ -22,21 +22,18 @@ std::vector<std::array<VertexId, 2>> ends_of(const std::vector<Complex::Line>& l
 }  // namespace
 
 template <class Item>
-ItemsAt::ItemsAt(std::size_t n_vertices, const std::vector<Item>& items) : first_(n_vertices + 1), more_(n_vertices) {
-  for (const Item& item : items)
-    for (const VertexId v : item) ++first_[v.value + 1];
-  for (std::size_t v = 0; v < n_vertices; ++v) first_[v + 1] += first_[v];
-  item_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t i = 0; i < items.size(); ++i)
-    for (const VertexId v : items[i]) item_[next[v.value]++] = i;
-}
+ItemsAt::ItemsAt(std::size_t n_vertices, const std::vector<Item>& items)
+    : item_(n_vertices,
+            [&](auto&& add) {
+              for (std::uint32_t i = 0; i < items.size(); ++i)
+                for (const VertexId v : items[i]) add(v.value, i);
+            }),
+      more_(n_vertices) {}
 
 std::vector<std::uint32_t> ItemsAt::at(std::span<const VertexId> vertices) const {
   std::vector<std::uint32_t> found;
   for (const VertexId v : vertices) {
-    if (v.value + 1 < first_.size())
-      found.insert(found.end(), item_.begin() + first_[v.value], item_.begin() + first_[v.value + 1]);
+    if (v.value < item_.size()) found.insert(found.end(), item_[v.value].begin(), item_[v.value].end());
     found.insert(found.end(), more_[v.value].begin(), more_[v.value].end());
   }
   make_distinct(found);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/buckets.hpp"
 #include "intersect/imprint.hpp"
 
 namespace meshgraft {
@@ -22,7 +23,7 @@ class ItemsAt {
   [[nodiscard]] std::vector<std::uint32_t> at(std::span<const VertexId> vertices) const;
 
  private:
-  std::vector<std::uint32_t> first_, item_;       // of the vertices that were there from the start
+  Buckets<std::uint32_t> item_;                   // by vertex that was there from the start
   std::vector<std::vector<std::uint32_t>> more_;  // by vertex: added since
 };
 

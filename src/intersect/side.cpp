@@ -104,14 +104,10 @@ void Side::find_corners(const Complex& complex, double sharp_angle,
 }
 
 void Side::find_faces_at_vertices(std::size_t n_vertices) {
-  first_at_vertex_.assign(n_vertices + 1, 0);
-  for (const auto& corners : corners_)
-    for (const VertexId v : corners) ++first_at_vertex_[v.value + 1];
-  for (std::size_t v = 0; v < n_vertices; ++v) first_at_vertex_[v + 1] += first_at_vertex_[v];
-  at_vertex_.resize(3 * faces_.size());
-  std::vector<std::uint32_t> next(first_at_vertex_.begin(), first_at_vertex_.end() - 1);
-  for (LocalFace f = 0; f < faces_.size(); ++f)
-    for (const VertexId v : corners_[f]) at_vertex_[next[v.value]++] = f;
+  at_vertex_ = Buckets<LocalFace>(n_vertices, [&](auto&& add) {
+    for (LocalFace f = 0; f < faces_.size(); ++f)
+      for (const VertexId v : corners_[f]) add(v.value, f);
+  });
 }
 
 LocalFace Side::find(FaceId f) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/buckets.hpp"
 #include "core/complex.hpp"
 
 namespace meshgraft {
@@ -34,10 +35,7 @@ class Side {
   /// kNowhere if no face near the other side has this edge.
   [[nodiscard]] LocalEdge find(VertexId a, VertexId b) const;
 
-  [[nodiscard]] std::span<const LocalFace> faces_at(VertexId v) const {
-    return std::span(at_vertex_)
-        .subspan(first_at_vertex_[v.value], first_at_vertex_[v.value + 1] - first_at_vertex_[v.value]);
-  }
+  [[nodiscard]] std::span<const LocalFace> faces_at(VertexId v) const { return at_vertex_[v.value]; }
   [[nodiscard]] std::span<const LocalFace> faces_at_edge(LocalEdge e) const {
     return std::span(at_edge_).subspan(first_at_edge_[e], first_at_edge_[e + 1] - first_at_edge_[e]);
   }
@@ -63,8 +61,9 @@ class Side {
   std::vector<std::array<VertexId, 3>> corners_;
   std::vector<std::array<LocalEdge, 3>> edges_;
   std::vector<std::array<VertexId, 2>> ends_;  // ascending
-  std::vector<std::uint32_t> first_at_edge_, first_at_vertex_, n_at_edge_;
-  std::vector<LocalFace> at_edge_, at_vertex_;
+  Buckets<LocalFace> at_vertex_;
+  std::vector<std::uint32_t> first_at_edge_, n_at_edge_;
+  std::vector<LocalFace> at_edge_;
   std::vector<std::uint8_t> edge_feature_, vertex_feature_, vertex_corner_;
 };
 

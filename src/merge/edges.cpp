@@ -3,20 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/buckets.hpp"
+
 namespace meshgraft {
 
 std::vector<FaceOnEdge> edge_uses(const Complex& complex, std::span<const std::uint8_t> wanted) {
-  std::vector<FaceOnEdge> uses;
   const auto is_wanted = [&](VertexId v) { return wanted.empty() || wanted[v.value] != 0; };
-  for (std::size_t f = 0; f < complex.n_faces(); ++f) {
-    const auto& v = complex.face[f];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId a = v[k], b = v[(k + 1) % 3];
-      if (is_wanted(a) && is_wanted(b)) uses.push_back({std::min(a, b), std::max(a, b), FaceId(f)});
+  Buckets<FaceOnEdge> by_low(complex.n_vertices(), [&](auto&& add) {
+    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+      const auto& v = complex.face[f];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(v[k], v[(k + 1) % 3]);
+        if (is_wanted(low) && is_wanted(high)) add(low.value, FaceOnEdge{low, high, FaceId(f)});
+      }
     }
-  }
-  std::sort(uses.begin(), uses.end());
-  return uses;
+  });
+  for (std::size_t v = 0; v < by_low.size(); ++v) std::ranges::sort(by_low[v]);  // half a dozen
+  return std::move(by_low).take_all();
 }
 
 Vec3 across(const Complex& complex, const FaceOnEdge& use) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/buckets.hpp"
 #include "core/complex.hpp"
 
 namespace meshgraft {
@@ -28,11 +29,11 @@ class EdgeTable {
   [[nodiscard]] std::size_t size() const { return first_use_.size() - 1; }
   /// The faces at an edge, ascending.
   [[nodiscard]] std::span<const EdgeUse> uses(EdgeId e) const {
-    return std::span(uses_).subspan(first_use_[e.value], first_use_[e.value + 1] - first_use_[e.value]);
+    return std::span(uses_.all()).subspan(first_use_[e.value], first_use_[e.value + 1] - first_use_[e.value]);
   }
   /// (smaller, larger) vertex.
   [[nodiscard]] std::array<VertexId, 2> ends(EdgeId e) const {
-    const EdgeUse& use = uses_[first_use_[e.value]];
+    const EdgeUse& use = uses_.all()[first_use_[e.value]];
     return {use.low, use.high};
   }
   [[nodiscard]] EdgeId of(FaceId f, std::size_t corner) const { return of_[f.value][corner]; }
@@ -40,7 +41,7 @@ class EdgeTable {
   [[nodiscard]] EdgeId find(VertexId a, VertexId b) const;
 
  private:
-  std::vector<EdgeUse> uses_;                // 3 m, ascending by (low, high, face, corner)
+  Buckets<EdgeUse> uses_;                    // 3 m, by the smaller end; ascending by (low, high, face, corner)
   std::vector<std::uint32_t> first_use_;     // by edge, and the end
   std::vector<std::uint32_t> first_of_low_;  // by vertex: first edge with it as the smaller end; and the end
   std::vector<std::array<EdgeId, 3>> of_;    // by face and corner
@@ -50,13 +51,10 @@ class EdgeTable {
 class VertexFaces {
  public:
   explicit VertexFaces(const Complex& complex);
-  [[nodiscard]] std::span<const FaceId> operator[](VertexId v) const {
-    return std::span(faces_).subspan(first_[v.value], first_[v.value + 1] - first_[v.value]);
-  }
+  [[nodiscard]] std::span<const FaceId> operator[](VertexId v) const { return faces_[v.value]; }
 
  private:
-  std::vector<std::uint32_t> first_;
-  std::vector<FaceId> faces_;
+  Buckets<FaceId> faces_;
 };
 
 }  // namespace meshgraft
