@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/closest.hpp"
 
@@ -15,6 +16,7 @@ constexpr int kLeastAutomatic = 3;  // room for two rows of new nodes on each si
 constexpr double kReach = 5.5;      // edge lengths from the junction beyond which only the user widens a zone
 constexpr double kRow = 0.866;      // width of a neighbourhood over the edge length: height of an equilateral triangle
 constexpr int kSettled = 2;         // neighbourhoods for the change of size where there is next to none
+constexpr std::size_t kInputBlock = 256;  // input faces looked at in one go
 
 /// N of paper 5.4, by component.
 std::vector<int> automatic(const Corefined& corefined, const InputFaces& inputs) {
@@ -37,7 +39,7 @@ int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size)
   double sum = 0;
   int count = 0;
   inputs.each_neighbour(i, [&](std::uint32_t j) { sum += inputs.mean_edge_length(j), ++count; });
-  const double own = sum / count, junction = size.junction_size(inputs.centre(i));
+  const double own = sum / count, junction = size.junction(inputs.centre(i)).size;
   if (!std::isfinite(junction)) return 1;
   return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / (kRow * own))) + 1;
 }
@@ -45,9 +47,20 @@ int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size)
 /// Neighbourhoods of long faces reach farther than others.
 bool is_far(const InputFaces& inputs, std::uint32_t i, const SizeField& size, double reach) {
   if (inputs.touched(i)) return false;
-  const Vec3 p = inputs.centre(i);
-  const double d = size.junction_distance(p);
-  return std::isfinite(d) && d > reach * std::max(inputs.mean_edge_length(i), size.junction_size(p));
+  const NearJunction junction = size.junction(inputs.centre(i));
+  return std::isfinite(junction.distance) &&
+         junction.distance > reach * std::max(inputs.mean_edge_length(i), junction.size);
+}
+
+/// Calls f(i) for each input face, at the same time.
+template <class F>
+void for_each(const InputFaces& inputs, F&& f) {
+  for_blocks(
+      inputs.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) f(static_cast<std::uint32_t>(i));
+      },
+      kInputBlock);
 }
 
 /// Spreads the neighbourhoods still to take from each input face to its neighbours, most first.
@@ -137,20 +150,23 @@ Zone neighbourhoods(const Corefined& corefined, const InputFaces& inputs, const 
   Zone zone;
   zone.bandwidth.assign(n_components(corefined), 0);
   std::vector<int> left(inputs.size(), 0);  // by input face: neighbourhoods to take, itself counted
+  for_each(inputs, [&](std::uint32_t i) {
+    if (!inputs.touched(i)) return;
+    if (bandwidth)
+      left[i] = *bandwidth;
+    else if (const int room = transition(inputs, i, size); !inputs.is_whole(i) || room > kSettled)
+      left[i] = std::max(least[inputs.component(i)], room) + more;
+  });
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {
-    if (!inputs.touched(i)) continue;
-    const std::uint32_t c = inputs.component(i);
-    const int room = transition(inputs, i, size);
-    if (!bandwidth && inputs.is_whole(i) && room <= kSettled) continue;
-    left[i] = bandwidth ? *bandwidth : std::max(least[c], room) + more;
-    zone.bandwidth[c] = std::max(zone.bandwidth[c], left[i]);
+    int& widest = zone.bandwidth[inputs.component(i)];
+    widest = std::max(widest, left[i]);
   }
   spread(left, inputs);
   if (!bandwidth)
-    for (std::uint32_t i = 0; i < inputs.size(); ++i) {
+    for_each(inputs, [&](std::uint32_t i) {
       const int needed = zone.bandwidth[inputs.component(i)] - more;
       if (left[i] > 0 && is_far(inputs, i, size, std::max<double>(kReach, needed))) left[i] = 0;
-    }
+    });
   zone.in_zone.assign(corefined.complex.n_faces(), 0);
   for (std::size_t f = 0; f < zone.in_zone.size(); ++f) {
     const std::uint32_t i = inputs.of(FaceId(f));

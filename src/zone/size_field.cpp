@@ -268,16 +268,10 @@ double SizeField::on_curve(CurveId curve, Vec3 p) const { return data_->on_curve
 double SizeField::slack(CurveId curve) const { return data_->slack[curve.value]; }
 double SizeField::gradation() const { return data_->options.gradation; }
 
-double SizeField::junction_size(Vec3 p) const {
+NearJunction SizeField::junction(Vec3 p) const {
   constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   const auto near = data_->junction.nearest(p, kAnywhere);
-  return near.found ? near.size : kAnywhere;
-}
-
-double SizeField::junction_distance(Vec3 p) const {
-  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-  const auto near = data_->junction.nearest(p, kAnywhere);
-  return near.found ? near.distance : kAnywhere;
+  return near.found ? NearJunction{near.distance, near.size} : NearJunction{kAnywhere, kAnywhere};
 }
 
 }  // namespace meshgraft

@@ -32,6 +32,12 @@ struct SizeOptions {
   double max_height = 0.065;   // of a node of the input over a new face: share of the edge length there
 };
 
+/// The junction as seen from a place.
+struct NearJunction {
+  double distance = 0;
+  double size = 0;  // l_a there: mean edge length of the touched faces of both meshes
+};
+
 /// The size at a place is, in this order:
 ///
 ///   own       of the original faces of the sheet: edge of an equilateral triangle as large as the faces around each
@@ -56,10 +62,8 @@ class SizeField {
   [[nodiscard]] double at(SheetId sheet, Vec3 p) const;
   /// On a curve: the least wish of the sheets at it, so that all of them agree.
   [[nodiscard]] double on_curve(CurveId curve, Vec3 p) const;
-  /// l_a near `p`: mean edge length of the touched faces of both meshes there; infinite without a junction.
-  [[nodiscard]] double junction_size(Vec3 p) const;
-  /// Distance of `p` from the junction; infinite without one.
-  [[nodiscard]] double junction_distance(Vec3 p) const;
+  /// The junction where it is nearest to `p`; infinitely far and large without one.
+  [[nodiscard]] NearJunction junction(Vec3 p) const;
   /// How far new edges may stand off a curve, whatever their length.
   [[nodiscard]] double slack(CurveId curve) const;
   /// Change of size per unit of length.

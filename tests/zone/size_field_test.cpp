@@ -62,7 +62,7 @@ Model wall(double size) { return scenes::plate({0, 6, 0}, {12, 0, 0}, {0, 0, 6},
 TEST(SizeField, WithoutAJunctionItIsTheOwnSize) {
   const Scene s = scene(std::array{floor_plate(1)});
   EXPECT_NEAR(at(s, {5, 5, 0}), kOwn, 1e-9);
-  EXPECT_TRUE(std::isinf(s.size.junction_size({5, 5, 0})));
+  EXPECT_TRUE(std::isinf(s.size.junction({5, 5, 0}).size));
 }
 
 Model stretched_floor(double by) {
@@ -95,7 +95,7 @@ TEST(SizeField, OnAFreeEdgeTheSpacingOfTheInputCounts) {
 
 TEST(SizeField, AlikeMeshesMeetAtTheirSize) {
   const Scene s = scene(std::array{floor_plate(1), wall(1)});
-  EXPECT_NEAR(s.size.junction_size({6, 6, 0}), kMean, 1e-9);
+  EXPECT_NEAR(s.size.junction({6, 6, 0}).size, kMean, 1e-9);
   EXPECT_NEAR(wish(s, {6, 6, 0}), kMean, 1e-9);
 }
 
@@ -115,7 +115,7 @@ Model coarse_beside(double ratio) {
 TEST(SizeField, JunctionStaysNearTheFinerMesh) {
   for (const double ratio : {3.0, 10.0, 30.0}) {
     const Scene s = scene(std::array{coarse_beside(ratio), wall(1)});
-    const double l = s.size.junction_size({5, 6, 0});
+    const double l = s.size.junction({5, 6, 0}).size;
     EXPECT_GT(l, 0.95 * kMean);
     EXPECT_LE(l, SizeOptions().finer_share * kMean + 1e-9);
   }
@@ -129,7 +129,7 @@ TEST(SizeField, BesideKeptFacesTheJunctionHasTheirSize) {
     for (const std::uint32_t c : j.complex.component) kept.push_back(c == component ? 1 : 0);
     SizeOptions options;
     options.kept = kept;
-    return scene(models, options).size.junction_size({5, 6, 0});
+    return scene(models, options).size.junction({5, 6, 0}).size;
   };
   EXPECT_NEAR(size_if_kept(1), kMean, 0.05 * kMean);
   EXPECT_GT(size_if_kept(0), 2 * SizeOptions().finer_share * kMean);
