@@ -1,8 +1,5 @@
 #include "merge/outcome.hpp"
 
-#include <algorithm>
-
-#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "merge/labels.hpp"
 
@@ -32,16 +29,18 @@ Place Outcome::parent_place(FaceId f) const {
 
 std::vector<std::uint8_t> changed_vertices(Inputs inputs, const Complex& final_complex, const Stitched& stitched,
                                            const Graft& graft) {
-  std::vector<NodeRef> of_removed;
-  for (std::uint32_t k = 0; k < inputs.size(); ++k)
+  std::vector<std::vector<bool>> of_removed(inputs.size());  // by input and node
+  for (std::uint32_t k = 0; k < inputs.size(); ++k) {
+    of_removed[k].resize(inputs[k]->n_nodes());
     for (const ElementId e : graft.removed_elements[k])
-      for (const NodeId n : inputs[k]->nodes_of(e)) of_removed.push_back({k, n});
-  make_distinct(of_removed);
+      for (const NodeId n : inputs[k]->nodes_of(e))
+        if (n.valid()) of_removed[k][n.value] = true;
+  }
 
   std::vector<std::uint8_t> changed(final_complex.n_vertices());
   for (std::size_t v = 0; v < changed.size(); ++v) {
     const NodeRef node = final_complex.node[v];
-    changed[v] = node.valid() && std::ranges::binary_search(of_removed, node) ? 1 : 0;
+    changed[v] = node.valid() && of_removed[node.input][node.node.value] ? 1 : 0;
   }
   for (std::size_t f = 0; f < final_complex.n_faces(); ++f)
     if (stitched.changed[f] != 0)

@@ -250,13 +250,13 @@ class Stitcher {
   }
 
   void remove_nodes() {
-    std::vector<NodeRef> used;
-    const auto use = [&](VertexId v) {
-      const NodeRef n = out_.node[v.value];
-      if (n.valid() && n.input != kNew) used.push_back(n);
-    };
+    std::vector<std::uint8_t> is_used(final_.n_vertices());
+    const auto use = [&](VertexId v) { is_used[v.value] = 1; };
     for (const auto& face : final_.face) std::ranges::for_each(face, use);
     for (const Complex::Line& line : final_.lines) std::ranges::for_each(line.ends, use);
+    std::vector<NodeRef> used;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (const NodeRef n = out_.node[v]; is_used[v] != 0 && n.valid() && n.input != kNew) used.push_back(n);
     make_distinct(used);
 
     std::vector<NodeRef> removed;
