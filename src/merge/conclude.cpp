@@ -57,21 +57,25 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   append(report.broken_promises, open_gap_errors(outcome.inputs, outcome.corefined.left_open));
   append(report.warnings, half_reached_warnings(outcome.inputs, outcome.corefined.half_reached));
   append(report.warnings, joined_seam_warnings(outcome.inputs, outcome.corefined.joined_seams));
-  append(report.warnings, loose_piece_warnings(outcome));
-  if (!options.size && outcome.kind != OperationKind::kFill) append(report.warnings, fine_zone_warnings(outcome));
   ResultVerdict result;
   QualityVerdict quality;
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
-  std::vector<Warning> loose_ends, near_misses, creases;
+  std::vector<Warning> loose_pieces, fine_zones, loose_ends, near_misses, creases;
   Tolerance drawn = options.tolerance;
   drawn.value *= static_cast<double>(gaps_in_a_row(outcome.corefined));
   tbb::parallel_invoke(
       [&] { result = check_result(outcome, translated, options.tolerance); },
       [&] { fidelity = fidelity_of(outcome, drawn); }, [&] { coverage = coverage_of(outcome, options.tolerance); },
       [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
+      [&] { loose_pieces = loose_piece_warnings(outcome); },
+      [&] {
+        if (!options.size && outcome.kind != OperationKind::kFill) fine_zones = fine_zone_warnings(outcome);
+      },
       [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
       [&] { quality = quality_of(outcome, bad, options.min_quality); }, [&] { summarise(outcome, report); });
+  append(report.warnings, std::move(loose_pieces));
+  append(report.warnings, std::move(fine_zones));
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));
   append(report.warnings, std::move(loose_ends));
