@@ -42,6 +42,9 @@ std::vector<T> collected_by_block(std::size_t n, F&& f, std::size_t block = kBlo
   for_blocks(
       n, [&](std::size_t first, std::size_t last) { f(first, last, found[first / block]); }, block);
   std::vector<T> all;
+  std::size_t n_found = 0;
+  for (const auto& part : found) n_found += part.size();
+  all.reserve(n_found);
   for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/append.hpp"
 #include "core/blocks.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
@@ -110,14 +111,14 @@ class Search {
     const auto may_be_near = [&](std::size_t first, std::size_t last, const Box& run) {
       return may_be_near_another(k, first, last, grown_around(run, options_));
     };
-    const auto near = runs_.collected_near<GrownFace>(
+    auto near = runs_.collected_near<GrownFace>(
         k, model.n_elements(), may_be_near, [&](ElementId element, std::vector<GrownFace>& out) {
           const ElementRef e{k, element};
           if (!model.is_face(e.element)) return;
           const GrownFace face{e, components_.of(e), grown_box(model, e.element, options_)};
           if (is_near_another(face.component, face.box)) out.push_back(face);
         });
-    near_.insert(near_.end(), near.begin(), near.end());
+    append(near_, std::move(near));
   }
 
   /// False if no face of a run of elements inside `box` is near another component.
