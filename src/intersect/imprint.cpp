@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "core/blocks.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/cut_face.hpp"
 
 namespace meshgraft {
 namespace {
+
+constexpr std::size_t kCutBlock = 256;  // faces cut in one go
 
 /// The part of an ascending list whose field `key` equals `value`.
 template <class T, class K>
@@ -113,38 +116,56 @@ class Imprinter {
             id};
   }
 
+  /// The part that a face has in the meeting.
+  struct Role {
+    std::size_t side = kSides.size();  // beside both
+    LocalFace face = kNowhere;
+  };
+
+  [[nodiscard]] std::vector<Role> roles() const {
+    std::vector<Role> of(m_.complex.n_faces());
+    for (const std::size_t s : kSides)
+      for (LocalFace f = 0; f < m_.side[s].n_faces(); ++f) of[m_.side[s].face(f).value] = {s, f};
+    return of;
+  }
+
+  using Pieces = std::optional<std::vector<std::array<VertexId, 3>>>;
+
+  /// What becomes of each face.
+  [[nodiscard]] std::vector<Pieces> cut_all(std::span<const Role> role) const {
+    std::vector<Pieces> pieces(role.size());
+    const auto cut_one = [&](std::size_t f) {
+      const auto [s, local] = role[f];
+      if (local == kNowhere) return cut(beside(m_.complex.face[f]), m_.complex.position);
+      return cut(face_to_cut(s, local), m_.surface(s));
+    };
+    for_blocks(
+        role.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t f = first; f < last; ++f) pieces[f] = cut_one(f);
+        },
+        kCutBlock);
+    return pieces;
+  }
+
   std::optional<ImprintFault> rebuild_faces(FaceMarks& marks) {
+    const std::vector<Role> role = roles();
+    const std::vector<Pieces> pieces = cut_all(role);
+    if (const auto uncut = std::ranges::find_if(pieces, [](const Pieces& p) { return !p; }); uncut != pieces.end())
+      return fault(FaceId(static_cast<std::size_t>(uncut - pieces.begin())));
     Complex& c = m_.complex;
     Complex old;  // the lists of faces as they were
     c.swap_faces(old);
     FaceMarks now;
-    std::array<LocalFace, 2> next{0, 0};
     for (std::size_t f = 0; f < old.face.size(); ++f) {
-      const auto add = [&](const std::array<VertexId, 3>& v, bool touched, bool active) {
+      const auto [s, local] = role[f];
+      const bool is_near = local != kNowhere;
+      for (const auto& v : *pieces[f]) {
         c.add_face(v, old, FaceId(f));
         now.add(marks, f);
-        now.touched.back() = touched, now.active.back() = active;
-      };
-      std::size_t s = 0;
-      while (s < 2 && (next[s] == m_.side[s].n_faces() || m_.side[s].face(next[s]).value != f)) ++s;
-      if (s == 2) {
-        const auto pieces = cut(beside(old.face[f]), c.position);
-        if (!pieces) {
-          c.swap_faces(old);
-          return fault(FaceId(f));
-        }
-        for (const auto& v : *pieces) add(v, marks.touched[f], false);
-        continue;
+        now.touched.back() = marks.touched[f] || (is_near && imprint_[s].touched[local]);
+        now.active.back() = is_near;
       }
-      const LocalFace local = next[s]++;
-      const bool touched = marks.touched[f] || imprint_[s].touched[local];
-      const FaceToCut face = face_to_cut(s, local);
-      const auto pieces = cut(face, m_.surface(s));
-      if (!pieces) {
-        c.swap_faces(old);
-        return fault(FaceId(f));
-      }
-      for (const auto& v : *pieces) add(v, touched, true);
     }
     marks = std::move(now);
     return std::nullopt;
