@@ -108,28 +108,42 @@ class Coverage {
     const Patches there = patches(after_, new_, [&](FaceId f) { return keys_after(f); });
     Report::Fidelity::Removed& most = verdict_.figures;
     const std::vector<double> drawn_around = drawn();
+    std::vector<Near> near(before_.n_vertices());
     Gone gone;
     for (const FaceId f : removed_) {
       double most_drawn = 0;
       for (const VertexId v : before_.face[f.value]) most_drawn = std::max(most_drawn, drawn_around[v.value]);
       const double length = edge_length(before_.parent[f.value]), enough = allowed(length) + most_drawn;
-      const auto [a, b, c] = before_.corners(f);
-      const Vec3 middle = (a + b + c) / 3.0;
+      const Vec3 middle = centroid(before_.corners(f));
       for (const Key& key : keys_before(f)) {
         const auto patch = there.find(key);
         if (patch == there.end()) return tell({f, middle});
-        for (const Vec3 p : {middle, a, b, c}) {
+        const MeasuredSurface& surface = patch->second;
+        const auto look_from = [&](Vec3 p, Near& known) {
           const double of_interest =
               std::max(kNegligible * length, std::min(most.max_distance_relative * length, enough));
-          if (patch->second.is_within(p, of_interest)) continue;
-          const double d = patch->second.distance(p);
+          if (known.surface == &surface && known.distance <= of_interest) return;
+          if (surface.is_within(p, of_interest)) {
+            known = {&surface, of_interest};
+            return;
+          }
+          const double d = surface.distance(p);
           if (d > most.max_distance_relative * length) most = {std::max(most.max_distance, d), d / length, p};
           if (const double beyond = (d - enough) / length; beyond > gone.beyond) gone = {f, p, d, beyond};
-        }
+        };
+        Near of_middle;
+        look_from(middle, of_middle);
+        for (const VertexId v : before_.face[f.value]) look_from(before_.position[v.value], near[v.value]);
       }
     }
     if (gone.face.valid()) tell(gone);
   }
+
+  /// A surface that a place is known to be no farther from.
+  struct Near {
+    const MeasuredSurface* surface = nullptr;
+    double distance = 0;
+  };
 
   /// A place where surface is missing.
   struct Gone {
