@@ -1,6 +1,7 @@
 // Pieces of the working mesh: a sheet by itself, so that all of them can be worked on at the same time.
 #include <algorithm>
 
+#include "core/bits.hpp"
 #include "remesh/local_mesh.hpp"
 
 namespace meshgraft {
@@ -25,27 +26,25 @@ std::vector<std::vector<FaceId>> LocalMesh::faces_by_sheet() const {
 
 LocalMesh::LocalMesh(const LocalMesh& whole, SheetId sheet, std::span<const FaceId> faces)
     : brep_(whole.brep_), whole_(&whole), sheet_(sheet), face_in_whole_(faces.begin(), faces.end()) {
-  for (const FaceId f : faces) {
-    const auto& v = whole.face(f).v;
-    vertex_in_whole_.insert(vertex_in_whole_.end(), v.begin(), v.end());
-  }
-  std::ranges::sort(vertex_in_whole_);
-  const auto repeated = std::ranges::unique(vertex_in_whole_);
-  vertex_in_whole_.erase(repeated.begin(), repeated.end());
-
-  star_.resize(vertex_in_whole_.size());
-  for (const VertexId v : vertex_in_whole_) {
-    vertices_.push_back(whole.vertex(v));
+  Bits used(whole.n_vertices());
+  for (const FaceId f : faces)
+    for (const VertexId v : whole.face(f).v) used.set(v.value);
+  used.count();
+  used.each([&](std::size_t v) {
+    vertex_in_whole_.emplace_back(v);
+    vertices_.push_back(whole.vertices_[v]);
+    stirred_.push_back(whole.stirred_[v]);
     if (is_on_rim(VertexId(vertices_.size() - 1))) vertices_.back().fixed = true;
-  }
-  stirred_.assign(vertices_.size(), 1);
+  });
+  star_.resize(vertices_.size());
+  faces_.reserve(faces.size());
   for (const FaceId f : faces) {
     faces_.push_back(whole.face(f));
-    for (VertexId& v : faces_.back().v)
-      v = VertexId(static_cast<std::size_t>(std::ranges::lower_bound(vertex_in_whole_, v) - vertex_in_whole_.begin()));
-    link(FaceId(faces_.size() - 1));
+    for (VertexId& v : faces_.back().v) {
+      v = VertexId(used.rank(v.value));
+      star_[v.value].emplace_back(faces_.size() - 1);
+    }
   }
-  for (std::size_t v = 0; v < vertices_.size(); ++v) stirred_[v] = whole.stirred_[vertex_in_whole_[v].value];
 }
 
 bool LocalMesh::is_elsewhere(std::span<const VertexId> v) const {
