@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "core/buckets.hpp"
 #include "core/distinct.hpp"
 #include "core/text.hpp"
 #include "core/union_find.hpp"
@@ -73,15 +74,18 @@ class Pockets {
 
   /// Edges that faces of both sides have.
   void find_walls() {
-    for (const std::size_t s : kSides)
-      for (std::uint32_t i = 0; i < sides_[s].size(); ++i) {
-        const auto& v = complex_.face[sides_[s][i].value];
-        for (std::size_t k = 0; k < 3; ++k) {
-          const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
-          uses_.push_back({{a, b}, s, i});
+    Buckets<Use> by_low(complex_.n_vertices(), [&](auto&& add) {
+      for (const std::size_t s : kSides)
+        for (std::uint32_t i = 0; i < sides_[s].size(); ++i) {
+          const auto& v = complex_.face[sides_[s][i].value];
+          for (std::size_t k = 0; k < 3; ++k) {
+            const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
+            add(a.value, Use{{a, b}, s, i});
+          }
         }
-      }
-    std::ranges::sort(uses_);
+    });
+    for (std::size_t v = 0; v < by_low.size(); ++v) std::ranges::sort(by_low[v]);
+    uses_ = std::move(by_low).take_all();
     for_each_edge([&](std::span<const Use> uses) {
       if (uses.front().side != uses.back().side) walls_.push_back(uses.front().edge);
     });
