@@ -41,9 +41,8 @@ Editor::Editor(const Editor& whole, SheetId sheet, std::span<const FaceId> faces
       sizing_(whole.sizing_),
       options_(whole.options_) {}
 
-double Editor::size(VertexId v) {
+double Editor::asked_size(VertexId v) {
   const LocalVertex& vertex = mesh_.vertex(v);
-  if (vertex.size > 0) return vertex.size;
   double size = std::numeric_limits<double>::infinity();
   if (vertex.curve.valid()) {
     size = sizing_.on_curve(vertex.curve, vertex.position);

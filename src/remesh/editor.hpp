@@ -33,7 +33,10 @@ class Editor {
   [[nodiscard]] const RemeshOptions& options() const { return options_; }
 
   /// Wanted edge length at a vertex; the mean of both at an edge.
-  double size(VertexId v);
+  double size(VertexId v) {
+    const double known = mesh_.vertex(v).size;
+    return known > 0 ? known : asked_size(v);
+  }
   double size(VertexId a, VertexId b) { return 0.5 * (size(a) + size(b)); }
   /// At a point of a sheet.
   [[nodiscard]] double size(SheetId sheet, Vec3 p) const { return sizing_.in_sheet(sheet, p); }
@@ -86,6 +89,8 @@ class Editor {
 
  private:
   using Goal = double (Star::*)(Vec3 p, double enough) const;
+  /// Asks for the wanted edge length at a vertex, and remembers it.
+  double asked_size(VertexId v);
   double cost(const LocalFace& f);
   /// star_ becomes that of v.
   void gather(VertexId v);

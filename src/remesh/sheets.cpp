@@ -2,20 +2,28 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <optional>
+
+#include "core/blocks.hpp"
 
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kSizeBlock = 256;  // vertices at which the size is asked for in one go
+
 /// All sheets must see the same sizes on the curves between them.
 void settle_sizes_of_curves(Editor& editor) {
   const LocalMesh& mesh = editor.mesh();
-  for (std::size_t f = 0; f < mesh.n_faces(); ++f) {
-    const LocalFace& face = mesh.face(FaceId(f));
-    if (!face.alive || !face.in_zone) continue;
-    for (const VertexId v : face.v)
-      if (mesh.vertex(v).dimension != Dimension::kSheet) editor.size(v);
-  }
+  const auto is_in_zone = [&](FaceId f) { return mesh.face(f).in_zone; };
+  for_blocks(
+      mesh.n_vertices(),
+      [&](std::size_t first, std::size_t last) {
+        for (VertexId v(first); v.value < last; ++v.value)
+          if (mesh.vertex(v).dimension != Dimension::kSheet && std::ranges::any_of(mesh.star(v), is_in_zone))
+            editor.size(v);
+      },
+      kSizeBlock);
 }
 
 }  // namespace

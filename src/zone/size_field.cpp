@@ -1,8 +1,11 @@
 #include "zone/size_field.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/blocks.hpp"
 #include "geometry/closest.hpp"
@@ -111,11 +114,11 @@ using Data = SizeField::Data;
 
 class Builder {
  public:
-  Builder(const Complex& original, const Complex& complex, const Brep& brep, Data& data)
-      : original_(original), complex_(complex), brep_(brep), data_(data), edges_(complex), originals_(original) {}
+  /// `edges`: of `complex`; `data` has its options and own sizes.
+  Builder(const Complex& original, const Complex& complex, const EdgeTable& edges, const Brep& brep, Data& data)
+      : original_(original), complex_(complex), brep_(brep), data_(data), edges_(edges), originals_(original) {}
 
   void build() {
-    data_.own = own_sizes(original_, complex_, brep_, data_.options.max_height, data_.options.stretched);
     data_.sheets = sheets_at_curves(brep_);
     for (const auto& sheets : data_.sheets) {
       auto& components = data_.components.emplace_back();
@@ -177,9 +180,14 @@ class Builder {
   [[nodiscard]] double slack(CurveId c) const {
     const Curve& curve = brep_.curves[c.value];
     if (!curve.junction || curve.free) return 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (const VertexId v : curve.chain) least = std::min(least, data_.plain_on_curve(c, complex_.position[v.value]));
-    return (curve.border ? data_.options.border_slack : data_.options.junction_slack) * least;
+    const auto sizes = collected<double>(
+        curve.chain.size(),
+        [&](std::size_t i, std::vector<double>& out) {
+          out.push_back(data_.plain_on_curve(c, complex_.position[curve.chain[i].value]));
+        },
+        kSizeBlock);
+    const double share = curve.border ? data_.options.border_slack : data_.options.junction_slack;
+    return share * *std::ranges::min_element(sizes);
   }
 
   /// Curves that the input divides more finely than their sheets, or that are short between corners.
@@ -250,7 +258,7 @@ class Builder {
   const Complex& complex_;
   const Brep& brep_;
   Data& data_;
-  const EdgeTable edges_;
+  const EdgeTable& edges_;
   const OriginalFaces originals_;
 };
 
@@ -259,7 +267,10 @@ class Builder {
 SizeField::SizeField(const Complex& original, const Complex& complex, const Brep& brep, const SizeOptions& options) {
   auto data = std::make_shared<Data>();
   data->options = options;
-  Builder(original, complex, brep, *data).build();
+  std::optional<EdgeTable> edges;
+  tbb::parallel_invoke([&] { data->own = own_sizes(original, complex, brep, options.max_height, options.stretched); },
+                       [&] { edges.emplace(complex); });
+  Builder(original, complex, *edges, brep, *data).build();
   data_ = std::move(data);
 }
 
