@@ -3,6 +3,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include "core/append.hpp"
+#include "geometry/quality.hpp"
 #include "merge/coverage.hpp"
 #include "merge/creases.hpp"
 #include "merge/faults.hpp"
@@ -33,13 +34,23 @@ std::vector<int> by_input(const std::vector<int>& bandwidth, const Components& c
   return largest;
 }
 
-/// The remesher's word on poor faces, also on those that were laid over them.
-std::vector<BadFace> bad_faces(const Remeshed& remeshed, const LaidOut& laid_out) {
+/// The remesher's word on poor faces, also on those that were laid over them, and over poor ones of the input.
+std::vector<BadFace> bad_faces(Inputs inputs, const Remeshed& remeshed, const LaidOut& laid_out, double min_quality) {
   std::vector<BadFace> all = remeshed.bad;
   const std::size_t first = remeshed.complex.n_faces();
   for (const BadFace& bad : remeshed.bad)
     for (std::size_t i = 0; i < laid_out.beneath.size(); ++i)
       if (laid_out.beneath[i] == bad.face) all.push_back({FaceId(first + i), bad.q, bad.cause});
+  for (std::size_t i = 0; i < laid_out.beneath.size(); ++i) {
+    const FaceId beneath = laid_out.beneath[i];
+    const double q = aspect_ratio(remeshed.complex.corners(beneath));
+    if (remeshed.in_zone[beneath.value] != 0 || q >= min_quality) continue;
+    all.push_back(
+        {FaceId(first + i),
+         q,
+         {Cause::Kind::kInputDetail,
+          "on the nodes of " + text_of(inputs, remeshed.complex.parent[beneath.value]) + ", which stays as it is"}});
+  }
   return all;
 }
 
@@ -116,7 +127,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
                   graft,  merged.labels, dropped,  all_layers};
   outcome.kind = kind;
   tell(zone.unfilled, report);
-  judge(outcome, bad_faces(zone.remeshed, laid_out), translated, options, report);
+  judge(outcome, bad_faces(inputs, zone.remeshed, laid_out, options.min_quality), translated, options, report);
   report.overlaps = overlap_entries(inputs, components, corefined, zone.remeshed.complex, all_layers);
   Dropped overlaid = dropped;
   add_losses(inputs, corefined, final_complex, all_layers, translated, graft, overlaid);

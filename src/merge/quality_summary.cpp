@@ -43,9 +43,12 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
   return text;
 }
 
-const char* hint_for(const BadFace* bad, OperationKind kind) {
+/// `keeps`: what lies on the other mesh is kept, and its nodes with it.
+std::string hint_for(const BadFace* bad, OperationKind kind, bool keeps) {
   using enum Cause::Kind;
   if (kind == OperationKind::kFill) return "give another --size or --blend, a smaller --min-quality, or --allow-poor";
+  const std::string others =
+      keeps ? "--overlap fuse, which remeshes the side that is kept too, another --size or " : "another --size or ";
   const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
                                                 bad->cause.kind == kInputDetail);
   if (between_lines && kind == OperationKind::kCut)
@@ -53,9 +56,9 @@ const char* hint_for(const BadFace* bad, OperationKind kind) {
            "--bandwidth, a smaller --min-quality, or --allow-poor";
   if (between_lines)
     return "where two lines are meant to be one, give a larger --tolerance, or --trim beyond=LENGTH for what sticks "
-           "out; "
-           "else another --size or --bandwidth, a smaller --min-quality, or --allow-poor";
-  return "give another --size or --bandwidth, a smaller --min-quality, or --allow-poor";
+           "out; else " +
+           others + "--bandwidth, a smaller --min-quality, or --allow-poor";
+  return "give " + others + "--bandwidth, a smaller --min-quality, or --allow-poor";
 }
 
 }  // namespace
@@ -95,9 +98,10 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
     (cause != nullptr && is_excused(*cause) ? unavoidable : avoidable).push_back(f);
   }
   if (!avoidable.empty())
-    verdict.broken.push_back({ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
-                              hint_for(causes.find(avoidable.front().face), outcome.kind),
-                              outcome.parent_place(avoidable.front().face)});
+    verdict.broken.push_back(
+        {ErrorCode::kPromiseBroken, finding(outcome, avoidable, causes, min_quality),
+         hint_for(causes.find(avoidable.front().face), outcome.kind, !outcome.corefined.kept.empty()),
+         outcome.parent_place(avoidable.front().face)});
   if (!unavoidable.empty())
     verdict.warnings.push_back({"poor-face", finding(outcome, unavoidable, causes, min_quality),
                                 outcome.parent_place(unavoidable.front().face)});

@@ -266,6 +266,40 @@ TEST(FusedContact, ANodeBeyondTheBorderDoesNotMoveToWhereItsEdgeCrossesThat) {
   }
 }
 
+/// What is left of the part is a strip of 0.015 along nodes of the base 0.1 apart.
+TEST(KeptContact, WhereTheKeptNodesLeaveNoGoodFacesTheOtherWayIsNamed) {
+  const Model wall = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "WALL");
+  const Model part = scenes::plate({-0.015, 0.43, 0}, {0.83, 0, 0}, {0, 0.9, 0}, 0.1, "PART");
+  const auto merged_with = [&](Overlap overlap) {
+    MergeOptions options;
+    options.overlap = overlap;
+    return merge(wall, std::span(&part, 1), options);
+  };
+  const auto kept = merged_with(Overlap::kKeepBase), fused = merged_with(Overlap::kFuse);
+  ASSERT_TRUE(kept.has_value()) << to_string(kept.error());
+  ASSERT_TRUE(fused.has_value()) << to_string(fused.error());
+  ASSERT_FALSE(kept->report.broken_promises.empty());
+  EXPECT_NE(kept->report.broken_promises[0].hint.find("--overlap fuse"), std::string::npos)
+      << to_string(kept->report.broken_promises[0]);
+  EXPECT_TRUE(fused->report.broken_promises.empty()) << scenes::first_problem(fused->report);
+}
+
+/// The face of the doubler on the nodes of a poor one of the base, which is not remeshed, was held against the merge.
+TEST(ProjectedContact, ALayerOnAPoorFaceOfTheInputIsToldAsSuch) {
+  const Model wall = scenes::moved(scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "WALL"), [](Vec3 p) {
+    return norm(p - Vec3{1, 1, 0}) < 1e-9 ? p + Vec3{0.06, 0.05, 0} : p;
+  });
+  const Model doubler = scenes::plate({0.45, 0.42, 0}, {1.2, 0, 0}, {0, 1.1, 0}, 0.1, "DOUBLER", 0.15);
+  MergeOptions options;
+  options.overlap = Overlap::kProject;
+  const auto merged = merge(wall, std::span(&doubler, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  const auto told = std::ranges::find(merged->report.warnings, "poor-face", &Warning::name);
+  ASSERT_NE(told, merged->report.warnings.end());
+  EXPECT_NE(told->what.find("which stays as it is"), std::string::npos) << told->what;
+}
+
 /// By formula: the second plate has 0.63 x 1.1 on the wall, the third 0.47 x 0.93, all three 0.47 x 0.54 in common.
 TEST(Stacks, TheReportNamesEachSetOfMeshesThatLieOnEachOther) {
   const scenes::Merge& scene = scene_named("three_in_partial_overlap");
