@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "merge/measured_surface.hpp"
 
@@ -26,6 +27,8 @@ class Coverage {
       if (is_removed(FaceId(f))) removed_.emplace_back(f);
     for (std::size_t f = 0; f < after_.n_faces(); ++f)
       if (outcome.is_new(FaceId(f))) new_.emplace_back(f);
+    was_ = removed_, there_ = new_;
+    if (outcome.all_layers) add_layered();
   }
 
   CoverageVerdict run() {
@@ -52,13 +55,32 @@ class Coverage {
     return {complex.components_of(f), complex.face_groups[f.value], complex.face_attributes[f.value]};
   }
 
-  /// What a face to remesh stands for. Where all layers stay each becomes a face of its own, if it is remeshed.
-  [[nodiscard]] std::vector<Key> keys_before(FaceId f) const {
+  /// A layer may have one face that is on the nodes of its parent, and is kept, and others of the same parent: neither
+  /// those nor the rest of the parent are where only what was removed is.
+  void add_layered() {
+    std::vector<ElementRef> parents;
+    for (std::size_t f = 0; f < before_.n_faces(); ++f) {
+      const auto& layers = before_.layers_of(FaceId(f));
+      if (layers.empty()) continue;
+      if (!is_removed(FaceId(f))) was_.emplace_back(f);
+      parents.push_back(before_.parent[f]);
+      for (const Complex::Layer& layer : layers) parents.push_back(layer.parent);
+    }
+    make_distinct(parents);
+    for (std::size_t f = 0; f < after_.n_faces(); ++f)
+      if (!outcome_.is_new(FaceId(f)) && std::ranges::binary_search(parents, after_.parent[f])) there_.emplace_back(f);
+  }
+
+  /// What a face stands for. Where all layers stay each becomes a face of its own. `only_removed`: those of them that
+  /// are remeshed.
+  [[nodiscard]] std::vector<Key> keys_before(FaceId f, bool only_removed) const {
     if (!outcome_.all_layers) return {whole_key(before_, f)};
     std::vector<Key> all;
-    if (is_removed(before_.parent[f.value])) all.push_back({{before_.component[f.value]}, {}, {}});
-    for (const Complex::Layer& layer : before_.layers_of(f))
-      if (is_removed(layer.parent)) all.push_back({{layer.component}, {}, {}});
+    const auto add = [&](ElementRef parent, std::uint32_t component) {
+      if (!only_removed || is_removed(parent)) all.push_back({{component}, {}, {}});
+    };
+    add(before_.parent[f.value], before_.component[f.value]);
+    for (const Complex::Layer& layer : before_.layers_of(f)) add(layer.parent, layer.component);
     return all;
   }
   [[nodiscard]] std::vector<Key> keys_after(FaceId f) const {
@@ -105,7 +127,7 @@ class Coverage {
 
   /// Corners and centroids of what was removed.
   void look_from_removed() {
-    const Patches there = patches(after_, new_, [&](FaceId f) { return keys_after(f); });
+    const Patches there = patches(after_, there_, [&](FaceId f) { return keys_after(f); });
     Report::Fidelity::Removed& most = verdict_.figures;
     const std::vector<double> drawn_around = drawn();
     std::vector<Near> near(before_.n_vertices());
@@ -115,7 +137,7 @@ class Coverage {
       for (const VertexId v : before_.face[f.value]) most_drawn = std::max(most_drawn, drawn_around[v.value]);
       const double length = edge_length(before_.parent[f.value]), enough = allowed(length) + most_drawn;
       const Vec3 middle = centroid(before_.corners(f));
-      for (const Key& key : keys_before(f)) {
+      for (const Key& key : keys_before(f, true)) {
         const auto patch = there.find(key);
         if (patch == there.end()) return tell({f, middle});
         const MeasuredSurface& surface = patch->second;
@@ -168,7 +190,7 @@ class Coverage {
 
   /// Centroids of the new faces.
   void look_from_new() {
-    const Patches was = patches(before_, removed_, [&](FaceId f) { return keys_before(f); });
+    const Patches was = patches(before_, was_, [&](FaceId f) { return keys_before(f, false); });
     for (const FaceId f : new_) {
       const double length = outcome_.input_edge_length(f);
       const auto was_there = [&](const Key& key) {
@@ -191,6 +213,7 @@ class Coverage {
   const Tolerance& tolerance_;
   const CoverageLimits& limits_;
   std::vector<FaceId> removed_, new_;  // of before_, of after_; ascending
+  std::vector<FaceId> was_, there_;    // the same, and what a kept face of a layer stands for
   CoverageVerdict verdict_;
 };
 

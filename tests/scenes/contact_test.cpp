@@ -266,6 +266,22 @@ TEST(FusedContact, ANodeBeyondTheBorderDoesNotMoveToWhereItsEdgeCrossesThat) {
   }
 }
 
+/// The corner faces of a doubler are among those of its layer: kept, on their own nodes, beside others that descend
+/// from them. These were taken for faces where the doubler never was, and its surface there for gone.
+TEST(ProjectedContact, ALayerMayHaveFacesOfTheInputAndOthersBesideThem) {
+  const Model wall = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.2, "WALL");
+  for (const double x : {0.91, 1.01, 1.06})
+    for (const Vec3 sides : {Vec3{0.58, 0.48, 0}, Vec3{0.64, 0.58, 0}, Vec3{0.6, 0.6, 0}, Vec3{0.56, 0.42, 0}}) {
+      SCOPED_TRACE(testing::Message() << "corner at " << x << ", " << sides.x << " by " << sides.y);
+      const Model doubler = scenes::plate({x, 0.85, 0}, {sides.x, 0, 0}, {0, sides.y, 0}, 0.2, "DOUBLER", 0.15);
+      MergeOptions options;
+      options.overlap = Overlap::kProject;
+      const auto merged = merge(wall, std::span(&doubler, 1), options);
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    }
+}
+
 /// What is left of the part is a strip of 0.015 along nodes of the base 0.1 apart.
 TEST(KeptContact, WhereTheKeptNodesLeaveNoGoodFacesTheOtherWayIsNamed) {
   const Model wall = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0.1, "WALL");
