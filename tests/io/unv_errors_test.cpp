@@ -142,7 +142,9 @@ TEST(UnvErrors, FilesThatAreSomethingElse) {
   EXPECT_NE(what("*HEADING\n*NODE\n1, 0., 0., 0.\n").find("Abaqus"), std::string::npos);
   EXPECT_NE(what("$MeshFormat\n2.2 0 8\n").find("Gmsh"), std::string::npos);
   EXPECT_NE(what("# vtk DataFile Version 3.0\n").find("VTK"), std::string::npos);
-  EXPECT_NE(what(std::string("\xFF\xFE \0 \0 \0 \0-\0001\0\n\0", 18)).find("UTF-16"), std::string::npos);
+  std::string wide = "\xFF\xFE";
+  for (const char c : mesh()) wide += c, wide += '\0';
+  EXPECT_NE(what(wide).find("UTF-16"), std::string::npos);
   EXPECT_NE(what("solid cube\nfacet normal 0 0 1\n").find("STL"), std::string::npos);
   EXPECT_NE(what("$ deck\nSOL 101\nCEND\nBEGIN BULK\n").find("Nastran"), std::string::npos);
   EXPECT_NE(what("INTERSPECTRE\nDIM = 1\n").find("Code_Aster"), std::string::npos);
