@@ -226,24 +226,36 @@ class Reader {
   void make_sheets(Brep& brep) const {
     brep.sheet_of_face.assign(complex_.n_faces(), {});
     for (std::size_t i = 0; i < complex_.n_faces(); ++i) {
-      if (brep.sheet_of_face[i].valid()) continue;
-      Sheet sheet;
-      const SheetId id(brep.sheets.size());
-      sheet.faces.emplace_back(i);
-      brep.sheet_of_face[i] = id;
-      for (std::size_t next = 0; next < sheet.faces.size(); ++next)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const EdgeId e = edges_.of(sheet.faces[next], k);
-          if (curves_.is_curve(e)) continue;
-          for (const EdgeUse& use : edges_.uses(e)) {
-            if (brep.sheet_of_face[use.face.value].valid()) continue;
-            brep.sheet_of_face[use.face.value] = id;
-            sheet.faces.push_back(use.face);
-          }
+      if (!brep.sheet_of_face[i].valid()) {
+        spread_sheet(FaceId(i), SheetId(brep.sheets.size()), brep.sheet_of_face);
+        brep.sheets.emplace_back();
+      }
+      brep.sheets[brep.sheet_of_face[i].value].faces.emplace_back(i);
+    }
+    for_blocks(
+        brep.sheets.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t s = first; s < last; ++s) find_plane(brep.sheets[s]);
+        },
+        1);
+  }
+
+  /// Gives a face and all that hang together with it without a curve between to a sheet.
+  void spread_sheet(FaceId start, SheetId sheet, std::vector<SheetId>& sheet_of_face) const {
+    std::vector<FaceId> reached{start};
+    sheet_of_face[start.value] = sheet;
+    while (!reached.empty()) {
+      const FaceId f = reached.back();
+      reached.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const EdgeId e = edges_.of(f, k);
+        if (curves_.is_curve(e)) continue;
+        for (const EdgeUse& use : edges_.uses(e)) {
+          if (sheet_of_face[use.face.value].valid()) continue;
+          sheet_of_face[use.face.value] = sheet;
+          reached.push_back(use.face);
         }
-      std::ranges::sort(sheet.faces);
-      find_plane(sheet);
-      brep.sheets.push_back(std::move(sheet));
+      }
     }
   }
 

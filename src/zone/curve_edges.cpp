@@ -59,9 +59,13 @@ class Classifier {
     area_vector_ = area_vectors(parents, complex);
     if (options.original == nullptr) return;
     const OriginalFaces originals(*options.original);
-    for (std::uint32_t p = 0; p < parents.size(); ++p)
-      if (const FaceId f = originals.find(complex.parent[parents.faces_of(p).front().value]); f.valid())
-        area_vector_[p] = area_vector(options.original->corners(f));
+    const auto as_it_was = [&](std::size_t first, std::size_t last) {
+      for (std::size_t p = first; p < last; ++p)
+        if (const FaceId f = originals.find(complex.parent[parents.faces_of(static_cast<std::uint32_t>(p))[0].value]);
+            f.valid())
+          area_vector_[p] = area_vector(options.original->corners(f));
+    };
+    for_blocks(parents.size(), as_it_was, kEdgeBlock);
   }
 
   [[nodiscard]] bool is_curve(EdgeId e) const {

@@ -12,7 +12,8 @@ namespace meshgraft {
 Parents::Parents(const Complex& complex) : of_face(complex.n_faces()) {
   faces.reserve(complex.n_faces());
   for (std::size_t f = 0; f < complex.n_faces(); ++f) faces.emplace_back(f);
-  std::ranges::stable_sort(faces, {}, [&](FaceId f) { return complex.parent[f.value]; });
+  const auto parent = [&](FaceId f) { return complex.parent[f.value]; };
+  if (!std::ranges::is_sorted(faces, {}, parent)) std::ranges::stable_sort(faces, {}, parent);
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     if (i == 0 || complex.parent[faces[i].value] != complex.parent[faces[i - 1].value]) first.push_back(i);
     of_face[faces[i].value] = static_cast<std::uint32_t>(first.size() - 1);
