@@ -21,7 +21,8 @@ struct Contour {
   double length = 0;
   Vec3 centre;  // mean of the nodes
   /// The surface around goes on into it: its area vector makes less than 60 degrees with the mean normal of the
-  /// faces around. Otherwise it is the outer border of an open shell, or the end of a pipe.
+  /// faces around, which look one way. Otherwise it is the outer border of an open shell, or the end of a pipe, where
+  /// they look outwards.
   bool is_hole = false;
   /// All its faces are linear triangles and turned alike.
   bool is_fillable = true;

@@ -11,7 +11,9 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kHoleCosine = 0.5;  // 60 degrees
+// The faces around a hole look one way in the mean, those around the end of a pipe outwards, each another way.
+constexpr double kHoleCosine = 0.5;  // of that way to the area of the contour: 60 degrees
+constexpr double kOneWay = 0.25;     // of the length of the mean normal: a cone of 30 degrees at its tip
 
 /// One side of one surface element.
 struct Side {
@@ -155,7 +157,7 @@ class Finder {
     }
     c.centre = c.centre / static_cast<double>(way.size());
     for (const std::size_t k : way) area += 0.5 * cross(at(free_[k].from) - c.centre, at(free_[k].to) - c.centre);
-    c.is_hole = dot(normalized(area), normalized(normal)) > kHoleCosine;
+    c.is_hole = dot(normalized(area), normalized(normal)) > kHoleCosine && norm(normal) > kOneWay * c.length;
     std::ranges::rotate(c.nodes, std::ranges::min_element(c.nodes, {}, [&](NodeId n) { return label(n); }));
     contours_.push_back(std::move(c));
   }

@@ -46,6 +46,17 @@ TEST(Contours, TheEndsOfAPipeAreNoHolesAndTheMouthOfASphereIsOne) {
   EXPECT_TRUE(mouth[0].is_hole);
 }
 
+TEST(Contours, AHoleIsWhereTheFacesAroundLookOneWay) {
+  // A pipe that widens by a share of its radius for each unit of its length; at 3 it is a dish of 18 degrees.
+  for (const auto& [widening, holes] : {std::pair{0.0, 0}, {0.03, 0}, {-0.03, 0}, {0.2, 0}, {3.0, 1}}) {
+    const Model pipe = scenes::moved(scenes::cylinder({0, 0, 0}, {0, 0, 1}, 1, 0.1), [widening](Vec3 p) {
+      const double by = 1 + widening * p.z;
+      return Vec3{by * p.x, by * p.y, p.z};
+    });
+    EXPECT_EQ(std::ranges::count(contours_of(pipe), true, &Contour::is_hole), holes) << widening;
+  }
+}
+
 TEST(Contours, HolesThatTouchInANodeAreTwo) {
   const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
   // Two squares of cells, corner to corner at (0.5, 0.5).
@@ -521,14 +532,30 @@ TEST(Fill, SizesAreGradedFromTheSidesOfTheRim) {
 }
 
 TEST(Fill, ASizeThatTheHoleIsTooSmallForIsToldOf) {
-  const Model holed = without_faces(scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1), within({0.5, 0.5, 0}, 0.2));
-  for (const auto& [size, told] : {std::pair{0.01, 1}, {0.05, 0}, {0.1, 0}, {0.15, 0}, {1.0, 1}}) {
+  const Model plate = scenes::plate({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.1);
+  const auto told = [](const Model& holed, double size) {
     FillOptions options;
     options.zone.size = size;
     const Merged m = made(holed, options);
     EXPECT_EQ(broken(m.report), std::vector<std::string>{});
-    EXPECT_EQ(std::ranges::count(m.report.warnings, "size-not-reached", &Warning::name), told) << size;
-  }
+    std::vector<std::string> texts;
+    for (const Warning& w : m.report.warnings)
+      if (w.name == "size-not-reached") texts.push_back(w.what);
+    return texts;
+  };
+  const Model holed = without_faces(plate, within({0.5, 0.5, 0}, 0.2));
+  for (const double size : {0.05, 0.1, 0.15}) EXPECT_TRUE(told(holed, size).empty()) << size;
+  for (const double size : {0.01, 1.0}) EXPECT_EQ(told(holed, size).size(), 1u) << size;
+
+  // A triangle has no edge inside; of two holes the small one is told of.
+  const Model one =
+      without_faces(plate, [&](Vec3 p) { return distance(p, centroid(plate.corners(ElementId(111u)))) < 1e-9; });
+  EXPECT_TRUE(told(one, 0.01).empty());
+  const Model two = without_faces(scenes::plate({0, 0, 0}, {4, 0, 0}, {0, 2, 0}, 0.1), [](Vec3 p) {
+    return distance(p, {0.5, 1, 0}) < 0.2 || distance(p, {2.5, 1, 0}) < 0.9;
+  });
+  ASSERT_EQ(told(two, 0.3).size(), 1u);
+  EXPECT_NE(told(two, 0.3)[0].find("filling at (0."), std::string::npos) << told(two, 0.3)[0];
 }
 
 /// A saddle as steep as its hole is wide: the inner side of a ring, open over more than a third of its section.
