@@ -28,6 +28,7 @@ Result<void> check_files(const MeshCommand& command, const MergeArguments& argum
   outputs.push_back(side);
   if (!arguments.report.empty()) outputs.push_back({"--report", arguments.report});
   if (const auto known = writable_format(arguments.output); !known) return known;
+  if (const auto good = check_inputs(command.inputs); !good) return good;
   if (const auto good = check_outputs(command.inputs, outputs); !good) return good;
   if (!is_side_path_taken(arguments.output)) return {};
   return failure(

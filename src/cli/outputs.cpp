@@ -69,9 +69,22 @@ bool is_stdout(const std::string& path) {
          named.st_ino == ours.st_ino;
 }
 
+Result<void> check_inputs(std::span<const NamedFile> inputs) {
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    for (const NamedFile& other : inputs.first(k))
+      if (same_file(inputs[k].path, other.path))
+        return failure(ErrorCode::kUsage,
+                       fmt::format("{} and {} are the same file, '{}'", other.role, inputs[k].role, inputs[k].path),
+                       "give each file once; a file alone is joined with itself");
+  return {};
+}
+
 Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs) {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const NamedFile& file = outputs[k];
+    if (file.path == "-")
+      return failure(ErrorCode::kUsage, fmt::format("{} is '-', which is no file", file.role),
+                     "give /dev/stdout for the standard output");
     const auto clash = [&](const NamedFile& other, const char* rule) {
       return failure(ErrorCode::kUsage,
                      fmt::format("{} and {} are the same file, '{}'", file.role, other.role, file.path),

@@ -1,4 +1,4 @@
-// Checks of the outputs before any work is done.
+// Checks of the files before any work is done.
 #pragma once
 
 #include <span>
@@ -14,7 +14,10 @@ struct NamedFile {
   std::string path;
 };
 
-/// Errors: kUsage if an output is an input or another output (links are followed); kCannotWrite if
+/// Error kUsage if two inputs are one file (links are followed): what is wanted by that is not to be known.
+[[nodiscard]] Result<void> check_inputs(std::span<const NamedFile> inputs);
+
+/// Errors: kUsage if an output is an input or another output (links are followed), or `-`; kCannotWrite if
 /// its directory does not exist or admits no new file, or if it is a directory or write-protected.
 [[nodiscard]] Result<void> check_outputs(std::span<const NamedFile> inputs, std::span<const NamedFile> outputs);
 

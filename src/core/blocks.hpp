@@ -11,8 +11,9 @@
 
 namespace meshgraft {
 
-inline constexpr std::size_t kBlock = 16384;  // a multiple of kRun; for passes that cost little per item
+inline constexpr std::size_t kBlock = 16384;  // for passes that cost little per item
 inline constexpr std::size_t kRun = 64;       // a word of a bit set
+static_assert(kBlock % kRun == 0, "no run lies in two blocks");
 
 /// Calls f(first, last) for consecutive blocks of 0 to n, in any order and at the same time.
 template <class F>

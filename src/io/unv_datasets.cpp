@@ -38,19 +38,34 @@ std::optional<Number> number_of(const Document& d, const Line& line) {
   return number;
 }
 
-/// End of the data of a binary dataset: lines of text, then a known number of bytes. The number
-/// line is `I6, 'b', byte order, float format, lines of text, bytes, ...`.
+/// What follows the `b` in the number line of a binary dataset: byte order, float format, lines of text, bytes. In
+/// columns (2I6, 2I12) numbers may touch.
+std::vector<std::int64_t> binary_fields(std::string_view number_line) {
+  constexpr std::array<std::size_t, 4> kWidths{6, 6, 12, 12};
+  const std::size_t b = number_line.find('b');
+  std::string_view rest = b == std::string_view::npos ? std::string_view{} : number_line.substr(b + 1);
+  const std::string_view tokens = rest;
+  std::vector<std::int64_t> fields;
+  for (const std::size_t width : kWidths) {
+    const auto value = parse_integer(trimmed(rest.substr(0, width)));
+    if (!value) break;
+    fields.push_back(*value);
+    rest.remove_prefix(std::min(width, rest.size()));
+  }
+  if (fields.size() == kWidths.size()) return fields;
+  fields.clear();
+  for_each_token(tokens, [&](std::string_view token) {
+    const auto value = parse_integer(token);
+    if (value) fields.push_back(*value);
+    return value.has_value();
+  });
+  return fields;
+}
+
+/// End of the data of a binary dataset: lines of text, then a known number of bytes.
 tl::expected<std::size_t, Fault> end_of_binary(const Document& d, const Dataset& dataset) {
   const Line number_line = d.lines.at(dataset.number_line);
-  std::vector<std::int64_t> fields;
-  bool skipped = false;
-  for_each_token(d.lines.view(number_line), [&](std::string_view token) {
-    const auto value = parse_integer(token);
-    if (!skipped && token.ends_with('b')) return skipped = true;
-    if (!value) return false;
-    if (skipped) fields.push_back(*value);
-    return true;
-  });
+  const std::vector<std::int64_t> fields = binary_fields(d.lines.view(number_line));
   constexpr std::size_t kTextLines = 2, kBytes = 3;
   if (fields.size() <= kBytes || fields[kTextLines] < 0 || fields[kBytes] < 0)
     return tl::unexpected(Fault{ErrorCode::kMalformed, dataset.number_line,

@@ -27,8 +27,8 @@ class Delimiters {
 };
 
 /// End of the records of nodes or elements at the beginning of a dataset that seem to be alike: their lines end where
-/// those of the first do, and say the same behind the label, as far as a few of them were looked at. `dataset.body` if
-/// it is not worth while.
+/// those of the first do, and say the same behind the label, as far as a few of them, about as many as a search by
+/// halves needs, were looked at. `dataset.body` if it is not worth while.
 ///
 /// This is a guess. It is right if the records can be read without a fault, because no line of a record reads like a
 /// delimiter; after a fault all lines must be looked at.

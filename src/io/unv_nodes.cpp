@@ -28,7 +28,7 @@ Fault bad_real(const LineScanner& lines, const Line& line, const Reals& reals, s
             "correct the node, or choose another unit: no coordinate may be beyond " + text_of(kLargestCoordinate)};
   if (reals.bad.empty())
     return {ErrorCode::kMalformed, line.begin,
-            where + "expected 3 reals, found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere};
+            where + "expected 3 reals (or 2), found '" + std::string(trimmed(lines.view(line))) + "'", kLookHere};
   const bool comma = reals.bad.find(',') != std::string_view::npos;
   return {ErrorCode::kBadNumber, line.begin,
           where + "'" + std::string(reals.bad) + "' " + std::string(number_fault(reals.bad)),

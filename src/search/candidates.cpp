@@ -111,7 +111,7 @@ class Search {
     const auto may_be_near = [&](std::size_t first, std::size_t last, const Box& run) {
       return may_be_near_another(k, first, last, grown_around(run, options_));
     };
-    auto near = runs_.collected_near<GrownFace>(
+    auto near = runs_.collected_by_run<GrownFace>(
         k, model.n_elements(), may_be_near, [&](ElementId element, std::vector<GrownFace>& out) {
           const ElementRef e{k, element};
           if (!model.is_face(e.element)) return;

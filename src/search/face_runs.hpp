@@ -21,7 +21,7 @@ class FaceRuns {
   /// What f(element, out) appends to the vector `out` for the elements of an input in their order, but for the runs for
   /// which near(first, last, box) is false.
   template <class T, class Near, class F>
-  [[nodiscard]] std::vector<T> collected_near(std::uint32_t input, std::size_t n_elements, Near&& near, F&& f) const {
+  [[nodiscard]] std::vector<T> collected_by_run(std::uint32_t input, std::size_t n_elements, Near&& near, F&& f) const {
     const std::vector<Box>& boxes = of_input_[input];
     return collected_by_block<T>(n_elements, [&](std::size_t begin, std::size_t end, std::vector<T>& out) {
       for (std::size_t first = begin; first < end; first += kRun) {

@@ -61,10 +61,11 @@ bool all_valid(std::span<const NodeId> nodes) {
 std::vector<ElementId> faces_inside(const Model& model, std::uint32_t input, const FaceRuns& runs,
                                     const BoxTree& region, const Bits& inside) {
   const auto near = [&](std::size_t, std::size_t, const Box& run) { return region.meets(run); };
-  return runs.collected_near<ElementId>(input, model.n_elements(), near, [&](ElementId e, std::vector<ElementId>& out) {
-    const Box box = box_of_face(model, e);
-    if (!box.empty() && (any_in(inside, model.nodes_of(e)) || region.meets(box))) out.push_back(e);
-  });
+  return runs.collected_by_run<ElementId>(
+      input, model.n_elements(), near, [&](ElementId e, std::vector<ElementId>& out) {
+        const Box box = box_of_face(model, e);
+        if (!box.empty() && (any_in(inside, model.nodes_of(e)) || region.meets(box))) out.push_back(e);
+      });
 }
 
 /// Elements other than faces that touch the region or lie between nodes in `taken`.

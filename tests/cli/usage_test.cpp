@@ -112,6 +112,28 @@ TEST(Outputs, AreNeverAnInput) {
   EXPECT_EQ(folder.text("part.unv"), part);
 }
 
+TEST(Inputs, AreGivenOnce) {
+  const Folder folder;
+  folder.put_plates();
+  std::filesystem::create_symlink("part.unv", folder.path() / "link.unv");
+  for (const std::vector<std::string>& parts : {std::vector<std::string>{"base.unv"}, {"part.unv", "./link.unv"}}) {
+    std::vector<std::string> call{"merge", "base.unv", "-o", "out.unv"};
+    call.insert(call.begin() + 2, parts.begin(), parts.end());
+    const Outcome outcome = folder.run(call);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("PART are the same file"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(Outputs, AreNoDash) {
+  const Folder folder;
+  folder.put_plates();
+  const Outcome outcome = folder.run({"merge", "base.unv", "part.unv", "-o", "-"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("/dev/stdout"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(folder.has("-"));
+}
+
 TEST(Outputs, AreNeverEachOther) {
   const Folder folder;
   folder.put_plates();

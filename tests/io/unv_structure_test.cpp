@@ -112,6 +112,9 @@ TEST(UnvStructure, BinaryDatasetIsSkippedByItsNumberOfBytes) {
   expect_mesh(read(mesh() + binary));
   expect_mesh(read(mesh() + binary + binary));
   EXPECT_EQ(error_of(mesh() + binary.substr(0, binary.size() - 30)).code, ErrorCode::kTruncated);
+  const std::string touching = replaced(binary, "           2" + std::string(12 - count.size(), ' ') + count,
+                                        "           2" + std::string("100000000000"));
+  EXPECT_EQ(error_of(touching + mesh()).code, ErrorCode::kTruncated);
 }
 
 TEST(UnvStructure, DatasetsInAnyOrderAndSplit) {
