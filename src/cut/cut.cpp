@@ -80,8 +80,8 @@ tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& comple
 Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOptions& options, const GroupTable& table,
                         GroupSets& sets) {
   const std::vector<const Model*> with_tool{&base, &tool.model}, alone{&base};
-  const FacesToCut near = near_faces(base, tool, options.zone.tolerance);
-  const std::vector<std::vector<ElementId>> cut_faces{near.of_base};
+  const std::vector<NearPair> near = near_tool(base, tool, options.zone.tolerance);
+  const std::vector<std::vector<ElementId>> cut_faces{faces_of_base(near)};
   if (const auto ok = check_local_scale(alone, cut_faces, options.zone); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.zone.bandwidth)
@@ -90,7 +90,7 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
   out.original =
       workpiece(alone, FaceRuns(alone), one_for_each_input(1), cut_faces, table.of_input, sets, workpiece_options);
   Complex both = out.original;
-  const std::uint32_t component = add_tool(tool.model, near.of_tool, both);
+  add_tools(tool.model, near, both);
 
   auto corefined = corefined_with_tool(both, sets, options.zone);
   if (!corefined) {
@@ -99,6 +99,7 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
     if (error.code == ErrorCode::kJunctionNotResolved) error.hint = hint_for_place(OperationKind::kCut);
     return Failure(std::move(error));
   }
+  const std::uint32_t component = unite_components(corefined->complex);
   out.warnings = leave_grazed(base, component, options.zone.tolerance, *corefined);
 
   const Complex& complex = corefined->complex;

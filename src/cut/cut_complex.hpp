@@ -12,18 +12,26 @@ namespace meshgraft {
 
 inline constexpr std::uint32_t kTool = 1;  // input of the faces of the tool
 
-struct FacesToCut {
-  std::vector<ElementId> of_base;  // ascending
-  std::vector<ElementId> of_tool;  // ascending, with all faces that share a node with one that is near
+/// A face of the base and one of the tool that come near each other.
+struct NearPair {
+  ElementId of_base, of_tool;
 };
 
-/// The faces that come near the other side. The tool may have faces far larger than those of the base, so
-/// that boxes alone would tell little. Cost: one pass over the base, O(log t) for each of its faces.
-[[nodiscard]] FacesToCut near_faces(const Model& base, const ToolSurface& tool, const Tolerance& tolerance);
+/// Ascending by the face of the base. The tool may have faces far larger than those of the base, so that boxes alone
+/// would tell little. Cost: one pass over the base, O(log t) for each of its faces.
+[[nodiscard]] std::vector<NearPair> near_tool(const Model& base, const ToolSurface& tool, const Tolerance& tolerance);
 
-/// Adds faces of the tool as a component of its own, after all others. Their vertices are no node of an
-/// input and in no group.
-///   returns   the component
-std::uint32_t add_tool(const Model& tool, std::span<const ElementId> faces, Complex& complex);
+/// The faces of the base, ascending.
+[[nodiscard]] std::vector<ElementId> faces_of_base(std::span<const NearPair> pairs);
+
+/// Parts the faces of the base into its meshes (what hangs together through vertices here), and adds to each a copy
+/// of the tool of its own, as far as it is near, with all faces that share a node with one that is. Where meshes cross
+/// or touch that are not joined, one tool could not be cut along both; nothing of it is kept. Vertices of the tool are
+/// no node of an input and in no group.
+void add_tools(const Model& tool, std::span<const NearPair> pairs, Complex& complex);
+
+/// Makes one component of all meshes of the base again (0), and one of all copies of the tool.
+///   returns   the component of the tool
+std::uint32_t unite_components(Complex& complex);
 
 }  // namespace meshgraft

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "merge/inputs.hpp"
+
 namespace meshgraft {
 
 std::vector<double> ticks(double low, double high, double near_low, double near_high, double step) {
@@ -25,6 +27,12 @@ NodeId LatticeBuilder::node(const Name& name, Vec3 p) {
   const auto [at, fresh] = nodes_.try_emplace(name);
   if (fresh) at->second = builder_.add_node(p);
   return at->second;
+}
+
+Model LatticeBuilder::build(const std::string& path) {
+  Model model = builder_.build(path);
+  std::ranges::fill(model.element_label, kNoLabel);
+  return model;
 }
 
 }  // namespace meshgraft

@@ -26,7 +26,8 @@ class LatticeBuilder {
   /// a, b, c, d counter-clockwise.
   void add_cell(NodeId a, NodeId b, NodeId c, NodeId d) { add_face(a, b, c), add_face(a, c, d); }
   [[nodiscard]] std::size_t n_faces() const { return n_faces_; }
-  [[nodiscard]] Model build(const std::string& path) { return builder_.build(path); }
+  /// Its elements have no labels.
+  [[nodiscard]] Model build(const std::string& path);
 
  private:
   ModelBuilder builder_;

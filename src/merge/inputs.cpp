@@ -4,7 +4,8 @@ namespace meshgraft {
 
 std::string text_of(Inputs inputs, ElementRef element) {
   const Model& model = *inputs[element.input];
-  return "element " + std::to_string(model.element_label[element.element.value]) + " of " + model.path;
+  const std::int64_t label = model.element_label[element.element.value];
+  return label == kNoLabel ? model.path : "element " + std::to_string(label) + " of " + model.path;
 }
 
 std::string joined(std::span<const std::string> names) {

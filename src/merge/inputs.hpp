@@ -13,7 +13,10 @@ namespace meshgraft {
 /// 0 the base, then the parts. Never empty.
 using Inputs = std::span<const Model* const>;
 
-/// "element 57 of plate.unv".
+/// Of elements of a surface that was made from numbers: nobody knows them.
+inline constexpr std::int64_t kNoLabel = 0;
+
+/// "element 57 of plate.unv"; of an element without a label only the name of the surface.
 [[nodiscard]] std::string text_of(Inputs inputs, ElementRef element);
 
 /// "a.unv", "a.unv and b.unv", "a.unv, b.unv and c.unv".

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <span>
 
 #include "check/face_pairs.hpp"
+#include "core/union_find.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "merge/edges.hpp"
@@ -103,32 +105,50 @@ class ResultCheck {
    public:
     MetBefore() = default;
     explicit MetBefore(const Complex& before) {
+      find_meshes(before);
       std::vector<Box> places;
       for (const auto& pair : intersecting_faces(before, std::vector<std::uint8_t>(before.n_faces(), 1))) {
         const auto components = components_of(before, pair);
         if (before.joins.are_joined(components[0], components[1])) continue;
         parents_.push_back(parents_of(before, pair));
-        components_.push_back(components), places.push_back(place_of_meeting(before, pair));
+        meshes_.push_back(meshes_of(before, pair)), places.push_back(place_of_meeting(before, pair));
       }
       std::ranges::sort(parents_);
       tree_ = BoxTree(places);
     }
 
-    /// A new face has one parent, and may be where others were that met the other mesh: of two components it counts
+    /// A new face has one parent, and may be where others were that met the other mesh: of two meshes it counts
     /// whether they met within `reach`.
     [[nodiscard]] bool holds(const Complex& now, const std::array<FaceId, 2>& pair, double reach) const {
+      if (parents_.empty()) return false;
       if (std::ranges::binary_search(parents_, parents_of(now, pair))) return true;
-      const auto components = components_of(now, pair);
-      if (components[0] == components[1]) return false;
+      const auto meshes = meshes_of(now, pair);
+      if (meshes[0] == meshes[1]) return false;
       bool found = false;
       tree_.overlapping(place_of_meeting(now, pair).grown(reach),
-                        [&](std::uint32_t i) { found = found || components_[i] == components; });
+                        [&](std::uint32_t i) { found = found || meshes_[i] == meshes; });
       return found;
     }
 
    private:
-    std::vector<ParentPair> parents_;                       // ascending
-    std::vector<std::array<std::uint32_t, 2>> components_;  // by pair, as in the tree
+    /// Component, and the least vertex of what hangs together there.
+    using Mesh = std::array<std::uint32_t, 2>;
+
+    void find_meshes(const Complex& before) {
+      UnionFind joined(before.n_vertices());
+      for (const auto& [a, b, c] : before.face) joined.unite(a.value, b.value), joined.unite(a.value, c.value);
+      for (std::size_t f = 0; f < before.n_faces(); ++f)
+        mesh_of_.emplace(before.parent[f], Mesh{before.component[f], joined.find(before.face[f][0].value)});
+    }
+
+    [[nodiscard]] std::array<Mesh, 2> meshes_of(const Complex& complex, const std::array<FaceId, 2>& pair) const {
+      const Mesh a = mesh_of_.at(complex.parent[pair[0].value]), b = mesh_of_.at(complex.parent[pair[1].value]);
+      return {std::min(a, b), std::max(a, b)};
+    }
+
+    std::map<ElementRef, Mesh> mesh_of_;
+    std::vector<ParentPair> parents_;          // ascending
+    std::vector<std::array<Mesh, 2>> meshes_;  // by pair, as in the tree
     BoxTree tree_;
   };
 

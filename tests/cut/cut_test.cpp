@@ -254,6 +254,47 @@ TEST(Cut, APlaneAlongATLine) {
   EXPECT_EQ(code_of(base, PlaneTool{{0, 0.5, 0}, {0, 1, 0}}, kDropOutside), ErrorCode::kOverlap);
 }
 
+/// Both sides of planes across a base whose meshes cross or touch without being joined: together they are the base,
+/// and nothing meets that did not meet before.
+void expect_cuts_of_unjoined(const Model& base, const std::vector<double>& places) {
+  for (const double x : places) {
+    double sum = 0;
+    for (const CutOptions& options : {kDropInside, kDropOutside}) {
+      const Merged m = made(base, PlaneTool{{x, 0, 0}, {1, 0, 0}}, options);
+      const Model result = apply(base, {}, m);
+      const CheckResult found = check(result);
+      EXPECT_EQ(found.n_degenerate_faces + found.n_duplicate_faces + found.n_orphan_nodes, 0u) << x;
+      EXPECT_EQ(found.non_manifold_edges, 0u) << x;
+      EXPECT_GE(found.min_q, std::min(0.5, check(base).min_q)) << x;
+      EXPECT_NEAR(area(result) + dropped_area(m), area(base), 1e-9) << x;
+      const bool inside = options.drop.what == Drop::What::kInside;
+      for (std::size_t n = 0; n < result.n_nodes(); ++n)
+        EXPECT_GE((inside ? 1 : -1) * (result.position[n].x - x), -0.11 * kSize) << x;
+      sum += area(result);
+    }
+    EXPECT_NEAR(sum, area(base), 1e-9) << x;
+  }
+}
+
+TEST(Cut, MeshesThatCrossWithoutBeingJoinedAreCutEachByItself) {
+  const std::vector<Model> plates{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "DECK", 0.15),
+                                  scenes::plate({0, 0.47, -0.3}, {2, 0, 0}, {0, 0.1, 0.6}, 0.8 * kSize, "WEB", 0.15)};
+  expect_cuts_of_unjoined(scenes::together(plates), {0.53, 0.61, 0.77, 1.02, 1.05});
+}
+
+TEST(Cut, MeshesThatLieOnEachOtherWithoutBeingJoinedAreCutEachByItself) {
+  const std::vector<Model> plates{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "LOWER", 0.15),
+                                  scenes::plate({0, 0.2, 0}, {2, 0, 0}, {0, 0.6, 0}, 0.7 * kSize, "UPPER", 0.15)};
+  expect_cuts_of_unjoined(scenes::together(plates), {0.53, 0.61, 0.77, 1.02, 1.05});
+}
+
+TEST(Cut, AToolMadeFromNumbersIsNamedWithoutAnElement) {
+  const auto m = cut(plate(), PlaneTool{{0, 0, 0}, {0, 0, 1}}, kDropOutside);
+  ASSERT_FALSE(m);
+  EXPECT_NE(m.error().what.find("plane 0,0,0,0,0,1"), std::string::npos) << to_string(m.error());
+  EXPECT_EQ(m.error().what.find("of plane"), std::string::npos) << to_string(m.error());
+}
+
 TEST(Cut, AGroupChoosesThePieceAndNothingElseIsCut) {
   // A plane through two plates; only the end of one of them shall go.
   const std::vector<Model> models{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "ONE", 0.15),
