@@ -77,6 +77,17 @@ tl::expected<Corefined, JunctionFault> corefined_with_tool(const Complex& comple
   }
 }
 
+/// Where a mesh of the base crosses itself, two curves cross on a face of the tool without a common vertex.
+std::string hint_for_cut(const JunctionFault& fault) {
+  const std::string hint = hint_for_place(OperationKind::kCut);
+  const bool of_tool =
+      !fault.elements.empty() && std::ranges::all_of(fault.elements, [](ElementRef e) { return e.input == kTool; });
+  if (!of_tool) return hint;
+  return "if a mesh crosses or touches itself there, join it with itself first: meshgraft merge BASE --join "
+         "GROUP_A:GROUP_B -o JOINED; else " +
+         hint;
+}
+
 Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOptions& options, const GroupTable& table,
                         GroupSets& sets) {
   const std::vector<const Model*> with_tool{&base, &tool.model}, alone{&base};
@@ -96,7 +107,7 @@ Result<Incision> incise(const Model& base, const ToolSurface& tool, const CutOpt
   if (!corefined) {
     Error error = to_error(with_tool, corefined.error());
     if (error.code == ErrorCode::kOverlap) error.hint = "the tool lies on faces of the base there; move it off them";
-    if (error.code == ErrorCode::kJunctionNotResolved) error.hint = hint_for_place(OperationKind::kCut);
+    if (error.code == ErrorCode::kJunctionNotResolved) error.hint = hint_for_cut(corefined.error());
     return Failure(std::move(error));
   }
   const std::uint32_t component = unite_components(corefined->complex);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "meshgraft/check.hpp"
+#include "meshgraft/merge.hpp"
 #include "support/scenes.hpp"
 
 namespace meshgraft {
@@ -286,6 +287,38 @@ TEST(Cut, MeshesThatLieOnEachOtherWithoutBeingJoinedAreCutEachByItself) {
   const std::vector<Model> plates{scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, kSize, "LOWER", 0.15),
                                   scenes::plate({0, 0.2, 0}, {2, 0, 0}, {0, 0.6, 0}, 0.7 * kSize, "UPPER", 0.15)};
   expect_cuts_of_unjoined(scenes::together(plates), {0.53, 0.61, 0.77, 1.02, 1.05});
+}
+
+/// A sheet that crosses itself, along x = z = 0; of two groups that share the nodes of one line.
+Model loop() {
+  const auto half = [](double from, double to, const std::string& group) {
+    scenes::Surface s;
+    s.at = [=](double u, double v) {
+      const double t = from + u * (to - from);
+      return Vec3{t * t - 1, v, t * (t * t - 1)};
+    };
+    s.nu = 22, s.nv = 11, s.group = group;
+    return scenes::surface(s);
+  };
+  const std::vector<Model> halves{half(-1.4, 0, "LEFT"), half(0, 1.5, "RIGHT")};
+  return scenes::welded(scenes::together(halves));
+}
+
+TEST(Cut, AMeshThatCrossesItselfIsRefusedWithWhatToDoFirst) {
+  const PlaneTool tool{{0, 0.53, 0}, {0, 1, 0}};
+  const Model base = loop();
+  const auto refused = cut(base, tool, kDropOutside);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kJunctionNotResolved);
+  EXPECT_NE(refused.error().hint.find("meshgraft merge BASE --join"), std::string::npos) << refused.error().hint;
+
+  MergeOptions options;
+  options.joins = {{"LEFT", "RIGHT"}};
+  const auto joined = merge(base, {}, options);
+  ASSERT_TRUE(joined) << to_string(joined.error());
+  const Model model = apply(base, {}, *joined);
+  const Merged m = made(model, tool, kDropOutside);
+  EXPECT_NEAR(area(expect_laws(model, m)) + dropped_area(m), area(model), 1e-3 * area(model));
 }
 
 TEST(Cut, AToolMadeFromNumbersIsNamedWithoutAnElement) {
