@@ -22,7 +22,7 @@ std::string hint_of(ErrorCode code) {
     case ErrorCode::kDuplicateFace:
       return "remove one of the two; meshgraft check -v lists all of them";
     case ErrorCode::kUnsupportedElement:
-      return "split the elements there into three-node triangles, or move the part";
+      return "split the elements there into three-node triangles, or move the part or the tool";
     default:
       return "look at this place in both meshes; another --tolerance, or a part moved by a little, may help";
   }
