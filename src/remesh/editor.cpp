@@ -292,6 +292,12 @@ void Editor::put(VertexId v, Vec3 p) {
   mesh_.set_vertex(v, to);
 }
 
+void Editor::hold(VertexId v, bool held) {
+  LocalVertex to = mesh_.vertex(v);
+  to.held = held;
+  mesh_.set_vertex(v, to);
+}
+
 std::optional<double> Editor::middle_arc(VertexId a, VertexId b, CurveId curve) const {
   for (const auto& [v, other] : {std::pair{a, b}, std::pair{b, a}}) {
     if (mesh_.vertex(v).curve != curve) continue;

@@ -68,6 +68,8 @@ class Editor {
   std::optional<VertexId> split_curve(VertexId a, VertexId b, CurveId curve, double arc);
   /// Replaces faces by others with the same boundary, unchecked.
   void replace(std::span<const FaceId> faces, std::span<const LocalFace> by);
+  /// Whether a vertex is to stay where it is for now.
+  void hold(VertexId v, bool held);
   /// Puts a vertex of a sheet at a point, on its surface or not, unchecked.
   void put(VertexId v, Vec3 p);
   /// Moves a vertex in its sheet or along its curve to where its faces cost least.

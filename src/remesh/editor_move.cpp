@@ -46,7 +46,7 @@ void Editor::gather(VertexId v) {
 
 bool Editor::search(VertexId v, Goal goal) {
   const LocalVertex& vertex = mesh_.vertex(v);
-  if (vertex.fixed || mesh_.star(v).empty()) return false;
+  if (vertex.fixed || vertex.held || mesh_.star(v).empty()) return false;
   gather(v);
   return vertex.curve.valid() ? search_on_curve(v, goal) : search_in_sheet(v, goal);
 }

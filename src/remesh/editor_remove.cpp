@@ -14,7 +14,7 @@ constexpr double kLeastCosine = 0.5;  // curved sheets: between a new face and t
 
 bool Editor::remove(VertexId v) {
   const LocalVertex vertex = mesh_.vertex(v);
-  if (vertex.fixed || mesh_.star(v).empty()) return false;
+  if (vertex.fixed || vertex.held || mesh_.star(v).empty()) return false;
   const auto fans = mesh_.fans(v);
   if (fans.empty()) return false;
   CurveId closing;

@@ -111,4 +111,17 @@ void relax_curves(Editor& editor) {
   relax(editor, [](const LocalVertex& v) { return v.curve.valid(); });
 }
 
+void release_poor(Editor& editor, double target) {
+  std::vector<VertexId> around;
+  for (std::size_t k = 0; k < editor.mesh().n_faces(); ++k) {
+    const LocalFace& face = editor.mesh().face(FaceId(k));
+    if (!face.alive || !face.in_zone || face.q >= target || is_settled(editor, FaceId(k))) continue;
+    for (const VertexId v : face.v)
+      for (const FaceId f : editor.mesh().star(v))
+        for (const VertexId u : editor.mesh().face(f).v)
+          if (editor.mesh().vertex(u).held) around.push_back(u);
+  }
+  for (const VertexId v : around) editor.hold(v, false);
+}
+
 }  // namespace meshgraft

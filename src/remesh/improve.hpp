@@ -18,6 +18,9 @@ void relax_all(Editor& editor);
 /// The same without flips, for the vertices of curves only.
 void relax_curves(Editor& editor);
 
+/// Lets go of the vertices held at faces with Q < `target` and beside these.
+void release_poor(Editor& editor, double target);
+
 /// Whether a flip must bring vertices nearer to six faces (in squares), or only not farther from that.
 enum class Irregularity : std::uint8_t { kLess, kNotMore };
 

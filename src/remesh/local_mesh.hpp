@@ -18,6 +18,7 @@ struct LocalVertex {
   Vec3 position;
   Dimension dimension = Dimension::kCorner;
   bool fixed = true;   // may neither move nor be removed
+  bool held = false;   // the same, as long as no poor face needs it
   bool moved = false;  // is no longer where the complex has it
   CurveId curve;       // dimension kCurve
   double arc = 0;      // dimension kCurve: arc length on the curve of the complex

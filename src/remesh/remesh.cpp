@@ -41,6 +41,7 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
   }
   relax_curves(editor);
   in_each_sheet(editor, [](Editor& sheet) { relax_all(sheet); });
+  release_poor(editor, options.min_quality + kMargin);
   mend(editor, options.min_quality + kMargin);
   return to_remeshed(editor, complex, brep, in_zone, groups);
 }

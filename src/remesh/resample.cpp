@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "core/blocks.hpp"
+#include "geometry/closest.hpp"
 #include "zone/ruler.hpp"
 
 namespace meshgraft {
 namespace {
 
 constexpr double kLeastKept = 0.7, kMostKept = 1.4;  // spacing of input nodes that is left alone, share of the wanted
-constexpr double kReuse = 0.1;          // a vertex nearer to a wanted node than this share of the spacing is it
-constexpr double kReuseNode = 0.2;      // the same for a node of the input
+constexpr double kTurn = 1e-3;      // a node farther than this share of the chord of its neighbours from it is a turn
+constexpr double kReuse = 0.1;      // a vertex nearer to a wanted node than this share of the spacing is it
+constexpr double kReuseNode = 0.2;  // the same for a node of the input
 constexpr std::size_t kSizeBlock = 64;  // places at which the size is asked for in one go
 constexpr int kRemovalRounds = 4;       // a removal may have to wait for its neighbours
 
@@ -58,11 +60,39 @@ class Resampler {
       const double turns = loop && start + k >= n ? arcs[n] : 0;
       portion.push_back({chain[i], arcs[i] + turns});
       if (portion.size() < 2 || (!fixed(chain[i]) && k < n)) continue;
-      resample(c, portion, whole);
+      if (!brep_.curves[c.value].junction || brep_.curves[c.value].free)
+        resample_between_turns(c, portion, whole);
+      else
+        resample(c, portion, whole);
       portion.assign(1, portion.back());
       portion[0].keep = false;
     }
   }
+
+  /// A line that gives the input its shape: nodes at which it turns stay, unless they are too near to others for the
+  /// wanted size, or a poor face needs them later.
+  void resample_between_turns(CurveId c, std::vector<Knot>& knots, bool closed) {
+    std::vector<Knot> portion{knots.front()};
+    if (closed && turns(knots[0], knots[knots.size() - 2], knots[1])) editor_.hold(knots[0].v, true);
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+      portion.push_back(knots[k]);
+      if (k + 1 < knots.size()) {
+        if (!turns(knots[k], knots[k - 1], knots[k + 1])) continue;
+        const double room = kLeastKept * sizing_.on_curve(c, position(knots[k]));
+        if (knots[k].arc - portion[0].arc < room || knots.back().arc - knots[k].arc < room) continue;
+        editor_.hold(knots[k].v, true);
+      }
+      resample(c, portion, closed && k + 1 == knots.size() && portion.size() == knots.size());
+      portion.assign(1, knots[k]);
+    }
+  }
+
+  [[nodiscard]] bool turns(const Knot& k, const Knot& before, const Knot& after) const {
+    const Vec3 a = position(before), b = position(after);
+    return is_input_node(k.v) &&
+           distance(position(k), closest_on_segment(position(k), a, b).point) > kTurn * distance(a, b);
+  }
+  [[nodiscard]] Vec3 position(const Knot& k) const { return complex_.position[k.v.value]; }
 
   void resample(CurveId c, std::vector<Knot>& knots, bool closed) {
     for (const FaceId f : editor_.mesh().faces_at(knots[0].v, knots[1].v))
@@ -108,7 +138,7 @@ class Resampler {
   /// Adds where the ruler wants nodes between the first and the last knot, both excluded.
   void measure_out(CurveId c, std::span<const Knot> knots, bool closed, std::vector<double>& wanted) const {
     std::vector<Vec3> polyline;
-    for (const Knot& k : knots) polyline.push_back(complex_.position[k.v.value]);
+    for (const Knot& k : knots) polyline.push_back(position(k));
     RulerOptions ruler;
     ruler.slack = sizing_.slack(c), ruler.max_sagitta = brep_.curves[c.value].max_sagitta();
     const auto arcs = resampled(
