@@ -60,17 +60,14 @@ class Resampler {
       const double turns = loop && start + k >= n ? arcs[n] : 0;
       portion.push_back({chain[i], arcs[i] + turns});
       if (portion.size() < 2 || (!fixed(chain[i]) && k < n)) continue;
-      if (!brep_.curves[c.value].junction || brep_.curves[c.value].free)
-        resample_between_turns(c, portion, whole);
-      else
-        resample(c, portion, whole);
+      resample_between_turns(c, portion, whole);
       portion.assign(1, portion.back());
       portion[0].keep = false;
     }
   }
 
-  /// A line that gives the input its shape: nodes at which it turns stay, unless they are too near to others for the
-  /// wanted size, or a poor face needs them later.
+  /// Lines of the inputs give them their shape: nodes at which one turns stay, unless they are too near to others for
+  /// the wanted size, or a poor face needs them later.
   void resample_between_turns(CurveId c, std::vector<Knot>& knots, bool closed) {
     std::vector<Knot> portion{knots.front()};
     if (closed && turns(knots[0], knots[knots.size() - 2], knots[1])) editor_.hold(knots[0].v, true);

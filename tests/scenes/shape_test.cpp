@@ -70,6 +70,32 @@ TEST_P(RimInAZone, KeepsItsNodesAndTheRingItsArea) {
 INSTANTIATE_TEST_SUITE_P(Rings, RimInAZone,
                          testing::Values(std::tuple(75, 130, 60), std::tuple(85, 130, 60), std::tuple(88, 112, 48)));
 
+/// Round, on the wall z = 0.
+Model pad(double radius, std::size_t n_sides, std::size_t n_rows) {
+  return surface({.at = [=](double u, double v) { return round(std::lerp(0.6 * radius, radius, v), u, 0); },
+                  .nu = n_sides,
+                  .nv = n_rows,
+                  .closed_u = true,
+                  .group = "PAD"});
+}
+
+class OutlineOnAWall : public testing::TestWithParam<std::tuple<double, std::size_t, std::size_t>> {};
+
+TEST_P(OutlineOnAWall, IsThatOfThePad) {
+  const auto [radius, n_sides, n_rows] = GetParam();
+  const Model base = plate({-103, -96, 0}, {200, 0, 0}, {0, 200, 0}, 8, "WALL", 0.2),
+              part = pad(radius, n_sides, n_rows);
+  const auto merged = merge(base, std::span(&part, 1));
+  ASSERT_TRUE(merged) << to_string(merged.error());
+  EXPECT_EQ(first_problem(merged->report), "");
+  const Model result = apply(base, std::span(&part, 1), *merged);
+  EXPECT_EQ(n_kept(part, result, [&](Vec3 p) { return std::hypot(p.x, p.y) > 0.999 * radius; }), n_sides);
+  const double area = area_by_group(part).at("PAD");
+  EXPECT_NEAR(area_by_group(result).at("PAD"), area, 1e-9 * area);
+}
+INSTANTIATE_TEST_SUITE_P(Pads, OutlineOnAWall,
+                         testing::Values(std::tuple(50, 40, 3), std::tuple(40, 24, 2), std::tuple(30, 16, 2)));
+
 TEST(FoldInAZone, KeepsItsNodes) {
   const Model base = flanged_pipe(), part = plate({-90, -90, 67}, {180, 7, 0}, {-7, 180, 0}, 8, "PLATE", 0.2);
   const auto merged = merge(base, std::span(&part, 1));
