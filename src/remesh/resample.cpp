@@ -11,6 +11,7 @@ namespace meshgraft {
 namespace {
 
 constexpr double kLeastKept = 0.7, kMostKept = 1.4;  // spacing of input nodes that is left alone, share of the wanted
+constexpr double kLeastHeld = 0.6;  // the same where it gives the shape; a junction may want 1.5 times the finer size
 constexpr double kTurn = 1e-3;      // a node farther than this share of the chord of its neighbours from it is a turn
 constexpr double kReuse = 0.1;      // a vertex nearer to a wanted node than this share of the spacing is it
 constexpr double kReuseNode = 0.2;  // the same for a node of the input
@@ -75,7 +76,7 @@ class Resampler {
       portion.push_back(knots[k]);
       if (k + 1 < knots.size()) {
         if (!turns(knots[k], knots[k - 1], knots[k + 1])) continue;
-        const double room = kLeastKept * sizing_.on_curve(c, position(knots[k]));
+        const double room = kLeastHeld * sizing_.on_curve(c, position(knots[k]));
         if (knots[k].arc - portion[0].arc < room || knots.back().arc - knots[k].arc < room) continue;
         editor_.hold(knots[k].v, true);
       }
