@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "geometry/closest.hpp"
@@ -235,37 +236,62 @@ class Declarer {
     m_.join_groups(v, joined, on[joined]);
   }
 
+  struct Crossing {
+    std::array<LocalEdge, 2> edge;
+    bool is_askew = false;  // seen along the common perpendicular of the edges only
+    std::array<double, 2> t;
+    std::array<Vec3, 2> point;
+  };
+
+  /// Where an edge of one side passes over or under one of the other, seen along a direction.
+  [[nodiscard]] std::optional<Crossing> crossing(LocalEdge e, LocalEdge f, Vec3 along, double size) const {
+    const auto& [a, b] = m_.side[0].ends(e);
+    const auto& [c, d] = m_.side[1].ends(f);
+    const Vec3 origin = l_.at(0, a);
+    const auto flat = [&](Vec3 q) { return q - dot(along, q - origin) * along; };
+    const SegmentPair near =
+        closest_between_segments(flat(l_.at(0, a)), flat(l_.at(0, b)), flat(l_.at(1, c)), flat(l_.at(1, d)));
+    const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
+    if (!inside || distance(near.first.point, near.second.point) > l_.rule.weld(size)) return std::nullopt;
+    const std::array<Vec3, 2> at{lerp(l_.at(0, a), l_.at(0, b), near.first.t),
+                                 lerp(l_.at(1, c), l_.at(1, d), near.second.t)};
+    if (distance(at[0], at[1]) > l_.rule.gap(size)) return std::nullopt;
+    return Crossing{{e, f}, false, {near.first.t, near.second.t}, at};
+  }
+
+  /// Facets of a coarse surface lean so much that one may hide from its own normal what crosses over it: then the
+  /// edges are seen from where they are nearest to each other.
+  [[nodiscard]] std::optional<Crossing> crossing_askew(LocalEdge e, LocalEdge f, const FacePair& p, double size) const {
+    const auto way = [&](std::size_t s, LocalEdge edge) {
+      return l_.at(s, m_.side[s].ends(edge)[1]) - l_.at(s, m_.side[s].ends(edge)[0]);
+    };
+    const Vec3 along = normalized(cross(way(0, e), way(1, f)));
+    const Vec3 n = unit_normal(l_.triangle(0, p[0])), m = unit_normal(l_.triangle(1, p[1]));
+    if (!l_.rule.is_flat(along, normalized(dot(n, m) < 0 ? n - m : n + m))) return std::nullopt;
+    auto found = crossing(e, f, along, size);
+    if (found) found->is_askew = true;
+    return found;
+  }
+
   /// Where a border edge of one side passes over or under one of the other.
   void cross_edges() {
-    struct Crossing {
-      std::array<LocalEdge, 2> edge;
-      std::array<double, 2> t;
-      std::array<Vec3, 2> point;
-    };
     std::vector<Crossing> found;
     for (const FacePair& p : l_.pairs) {
       const Vec3 n = unit_normal(l_.triangle(l_.stays, p[l_.stays]));
+      const double size = std::min(l_.size(0, p[0]), l_.size(1, p[1]));
       for (const LocalEdge e : m_.side[0].edges(p[0])) {
         if (!l_.border_edge[0][e]) continue;
         for (const LocalEdge f : m_.side[1].edges(p[1])) {
           if (!l_.border_edge[1][f] || share_symbol(e, f)) continue;
-          const auto& [a, b] = m_.side[0].ends(e);
-          const auto& [c, d] = m_.side[1].ends(f);
-          const Vec3 origin = l_.at(0, a);
-          const auto flat = [&](Vec3 q) { return q - dot(n, q - origin) * n; };
-          const SegmentPair near =
-              closest_between_segments(flat(l_.at(0, a)), flat(l_.at(0, b)), flat(l_.at(1, c)), flat(l_.at(1, d)));
-          const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
-          const double size = std::min(l_.size(0, p[0]), l_.size(1, p[1]));
-          if (!inside || distance(near.first.point, near.second.point) > l_.rule.weld(size)) continue;
-          const std::array<Vec3, 2> at{lerp(l_.at(0, a), l_.at(0, b), near.first.t),
-                                       lerp(l_.at(1, c), l_.at(1, d), near.second.t)};
-          if (distance(at[0], at[1]) > l_.rule.gap(size)) continue;
-          found.push_back({{e, f}, {near.first.t, near.second.t}, at});
+          auto seen = crossing(e, f, n, size);
+          if (!seen) seen = crossing_askew(e, f, p, size);
+          if (seen) found.push_back(*seen);
         }
       }
     }
-    std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) { return a.edge < b.edge; });
+    std::sort(found.begin(), found.end(), [](const Crossing& a, const Crossing& b) {
+      return std::tie(a.edge, a.is_askew) < std::tie(b.edge, b.is_askew);
+    });
     for (const Crossing& c : found) {
       if (!m_.crossed_edges.insert(c.edge).second) continue;
       add_on_edges(l_, {Carrier{Carrier::kEdge, c.edge[0], c.t[0]}, Carrier{Carrier::kEdge, c.edge[1], c.t[1]}},

@@ -44,8 +44,7 @@ Snap Meeting::snap(const FacePair& p) const {
   return snap;
 }
 
-bool Meeting::on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const {
-  const Carrier& on = symbol.on[s];
+bool Meeting::on_edge(const Carrier& on, std::size_t s, LocalEdge e) const {
   if (on.kind == Carrier::kEdge) return on.id == e;
   const auto& ends = side[s].ends(e);
   return on.kind == Carrier::kVertex && (on.id == ends[0].value || on.id == ends[1].value);

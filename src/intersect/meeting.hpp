@@ -126,7 +126,10 @@ struct Meeting {
   }
 
   /// True if the symbol lies on the edge or its ends; on the face, its edges or its corners.
-  [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const;
+  [[nodiscard]] bool on_edge(const Symbol& symbol, std::size_t s, LocalEdge e) const {
+    return on_edge(symbol.on[s], s, e);
+  }
+  [[nodiscard]] bool on_edge(const Carrier& on, std::size_t s, LocalEdge e) const;
   [[nodiscard]] bool on_face(const Symbol& symbol, std::size_t s, LocalFace f) const;
 
   /// True if some symbol lies on both the edge of side s and the face of the other.

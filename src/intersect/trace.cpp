@@ -92,7 +92,7 @@ class Tracer {
 
   /// What the straight way from a symbol leaves a face through.
   struct Exit {
-    double along = 0;  // the way
+    double along = 0;  // the way; in a route as a share of what was left of it
     LocalFace face = 0;
     Carrier on;
     Vec3 point;
@@ -110,15 +110,46 @@ class Tracer {
     [[nodiscard]] int sign(Vec3 p) const { return orientation_sign(from, to, up, p); }
   };
 
-  [[nodiscard]] Way way(std::size_t o, const Symbol& a, const Symbol& b) const {
+  /// Where a way has come to on the other side.
+  struct Spot {
+    Carrier on;
+    Vec3 point;
+  };
+  [[nodiscard]] Spot spot(std::size_t o, const Symbol& symbol) const { return {symbol.on[o], l_.at(o, symbol.vertex)}; }
+
+  /// What stands upright on a way. Where facets make a large angle with each other, as those of a coarse pipe, each may
+  /// lead the way astray.
+  enum class Upright { kFirstFaces, kAllFaces, kOwnFaces };
+  static constexpr std::array kUprights{Upright::kFirstFaces, Upright::kAllFaces, Upright::kOwnFaces};
+
+  void add_normals(std::size_t s, std::span<const LocalFace> faces, Vec3& sum) const {
+    for (const LocalFace f : faces) {
+      const Vec3 n = unit_normal(l_.triangle(s, f));
+      sum += dot(n, sum) < 0 ? -1.0 * n : n;
+    }
+  }
+
+  /// `e`: the edge of the first side that is followed over the other.
+  [[nodiscard]] Vec3 upright(Upright which, std::size_t o, LocalEdge e, const Spot& a, const Spot& b) const {
+    std::vector<LocalFace> at_a = faces_at(o, a.on), at_b = faces_at(o, b.on);
+    if (which == Upright::kFirstFaces) at_a.resize(1), at_b.resize(1);
+    Vec3 sum;
+    if (which == Upright::kOwnFaces) {
+      for (const LocalFace f : m_.side[1 - o].faces_at_edge(e))
+        if (l_.in_contact[1 - o][f]) add_normals(1 - o, std::array{f}, sum);
+    } else {
+      add_normals(o, at_a, sum), add_normals(o, at_b, sum);
+    }
+    return normalized(sum);
+  }
+
+  [[nodiscard]] Way way(Upright which, std::size_t o, LocalEdge e, const Spot& a, const Spot& b) const {
     Way w;
-    w.from = l_.at(o, a.vertex), w.to = l_.at(o, b.vertex);
+    w.from = a.point, w.to = b.point;
     w.length = distance(w.from, w.to);
     w.dir = normalized(w.to - w.from);
-    const LocalFace f = faces_at(o, a.on[o])[0], g = faces_at(o, b.on[o])[0];
-    const Vec3 n = unit_normal(l_.triangle(o, f)), m = unit_normal(l_.triangle(o, g));
-    const double size = std::min(l_.size(o, f), l_.size(o, g));
-    w.up = w.from + size * normalized(dot(n, m) < 0 ? n - m : n + m);
+    const double size = std::min(l_.size(o, faces_at(o, a.on)[0]), l_.size(o, faces_at(o, b.on)[0]));
+    w.up = w.from + size * upright(which, o, e, a, b);
     w.weld = l_.rule.weld(size);
     return w;
   }
@@ -149,9 +180,9 @@ class Tracer {
 
   /// The next edge or vertex on the way, out of the face at the symbol that it runs in: around a fold others may be
   /// ahead too.
-  [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Symbol& at, const Way& w) const {
+  [[nodiscard]] std::optional<Exit> exit(std::size_t o, const Carrier& at, const Way& w) const {
     std::optional<Exit> first;
-    for (const LocalFace g : faces_at(o, at.on[o])) {
+    for (const LocalFace g : faces_at(o, at)) {
       if (!l_.is_flat[o][g]) continue;
       for (const LocalEdge e : m_.side[o].edges(g)) {
         if (m_.on_edge(at, o, e)) continue;
@@ -162,29 +193,54 @@ class Tracer {
     return first;
   }
 
-  /// From symbol to symbol, each time straight towards the last: a vertex that the way comes too near to
-  /// bends it.
+  /// What a way passes on the other side, and the face that it ends in.
+  struct Route {
+    std::vector<Exit> passed;
+    LocalFace last = 0;
+  };
+
+  /// Straight towards the last symbol: a vertex that the way comes too near to bends it.
+  [[nodiscard]] std::optional<Route> route(Upright which, std::size_t s, LocalEdge e, std::uint32_t from,
+                                           std::uint32_t to) const {
+    const std::size_t o = 1 - s;
+    const Spot end = spot(o, m_.symbols[to]);
+    Spot now = spot(o, m_.symbols[from]);
+    Route route;
+    for (std::size_t step = 0; step <= m_.side[o].n_edges(); ++step) {
+      for (const LocalFace g : faces_at(o, now.on))
+        if (m_.on_face(m_.symbols[to], o, g)) {
+          route.last = g;
+          return route;
+        }
+      const Way w = way(which, o, e, now, end);
+      const auto next = exit(o, now.on, w);
+      if (!next || next->along >= w.length) return std::nullopt;
+      if (next->on.kind == Carrier::kEdge && l_.border_edge[o][next->on.id]) return std::nullopt;
+      if (next->on.kind == Carrier::kVertex && !is_passable(o, VertexId(std::size_t{next->on.id}))) return std::nullopt;
+      route.passed.push_back(*next);
+      route.passed.back().along = next->along / w.length;
+      now = {next->on, next->point};
+    }
+    return std::nullopt;
+  }
+
+  /// From symbol to symbol.
   bool follow(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) {
     const std::size_t o = 1 - s;
+    std::optional<Route> found;
+    for (const Upright which : kUprights)
+      if (!found) found = route(which, s, e, from.symbol, to.symbol);
+    if (!found) return false;
     std::uint32_t now = from.symbol;
     double t = from.t;
-    for (std::size_t step = 0; step <= m_.side[o].n_edges(); ++step) {
-      for (const LocalFace g : faces_at(o, m_.symbols[now].on[o]))
-        if (m_.on_face(m_.symbols[to.symbol], o, g)) {
-          link(o, g, now, to.symbol);
-          return true;
-        }
-      const Way w = way(o, m_.symbols[now], m_.symbols[to.symbol]);
-      const auto next = exit(o, m_.symbols[now], w);
-      if (!next || next->along >= w.length) return false;
-      if (next->on.kind == Carrier::kEdge && l_.border_edge[o][next->on.id]) return false;
-      if (next->on.kind == Carrier::kVertex && !is_passable(o, VertexId(std::size_t{next->on.id}))) return false;
-      t += (to.t - t) * next->along / w.length;
-      const std::uint32_t symbol = pass(s, {Carrier::kEdge, e, t}, next->on, next->point);
-      link(o, next->face, now, symbol);
+    for (const Exit& passed : found->passed) {
+      t += (to.t - t) * passed.along;
+      const std::uint32_t symbol = pass(s, {Carrier::kEdge, e, t}, passed.on, passed.point);
+      link(o, passed.face, now, symbol);
       now = symbol;
     }
-    return false;
+    link(o, found->last, now, to.symbol);
+    return true;
   }
 
   std::uint32_t pass(std::size_t s, const Carrier& own, const Carrier& other, Vec3 point) {
