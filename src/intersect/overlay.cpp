@@ -6,6 +6,7 @@
 
 #include "core/distinct.hpp"
 #include "core/union_find.hpp"
+#include "geometry/angles.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/flat_faces.hpp"
 #include "intersect/follow.hpp"
@@ -17,12 +18,14 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kLargestFold = radians(75);  // from which faces are always two surfaces
+
 std::array<VertexId, 2> edge_of(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Faces joined across edges that are neither walls nor folds; the smallest position in `faces` stands for the region.
-/// `normal`: by position, of the face that each was cut out of.
+/// `normal`: by position, of the face that each was cut out of. `fold_angle`: of the least fold.
 UnionFind regions(const Complex& complex, std::span<const FaceId> faces, std::span<const Vec3> normal,
-                  const std::vector<std::array<VertexId, 2>>& walls, const ContactRule& rule) {
+                  const std::vector<std::array<VertexId, 2>>& walls, double fold_angle) {
   std::vector<std::pair<std::array<VertexId, 2>, std::uint32_t>> uses;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     const auto& v = complex.face[faces[i].value];
@@ -31,7 +34,8 @@ UnionFind regions(const Complex& complex, std::span<const FaceId> faces, std::sp
   std::ranges::sort(uses);
   UnionFind joined(faces.size());
   for (std::size_t i = 1; i < uses.size(); ++i)
-    if (uses[i].first == uses[i - 1].first && rule.is_flat(normal[uses[i].second], normal[uses[i - 1].second]) &&
+    if (uses[i].first == uses[i - 1].first &&
+        std::abs(dot(normal[uses[i].second], normal[uses[i - 1].second])) > std::cos(fold_angle) &&
         !std::ranges::binary_search(walls, uses[i].first))
       joined.unite(uses[i - 1].second, uses[i].second);
   return joined;
@@ -54,7 +58,7 @@ class Overlayer {
     component_before_ = complex_.component;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
-                                sides_.own[1], rule_.options.sharp_angle, faces_beside(contacts)),
+                                sides_.own[1], fold_angle(), faces_beside(contacts)),
                    rule_,
                    rule_.options.overlap == Overlap::kKeepPart ? 1u : 0u,
                    takes_over(),
@@ -99,6 +103,12 @@ class Overlayer {
  private:
   [[nodiscard]] bool takes_over() const {
     return rule_.options.overlap == Overlap::kFuse || rule_.options.overlap == Overlap::kProject;
+  }
+
+  /// Folds that faces lying on one surface may have between them, as those of a coarse pipe, are none of that surface.
+  [[nodiscard]] double fold_angle() const {
+    const double contact = rule_.options.contact_angle, sharp = rule_.options.sharp_angle;
+    return contact <= sharp ? sharp : std::min(2 * contact, kLargestFold);
   }
 
   static tl::unexpected<ImprintFault> failed(JunctionFault fault) {
@@ -215,7 +225,7 @@ class Overlayer {
   void classify(const LyingMeeting& l, std::size_t s, const Cover& cover, Pieces& p) const {
     std::vector<Vec3> normal;
     for (const FaceId f : p.faces) normal.push_back(l.normal(s, l.meeting.side[s].find(marks_.from[f.value])));
-    UnionFind region = regions(complex_, p.faces, normal, l.walls, rule_);
+    UnionFind region = regions(complex_, p.faces, normal, l.walls, fold_angle());
     std::vector<double> vote(p.size(), 0);
     for (std::uint32_t i = 0; i < p.size(); ++i) {
       const Triangle t = chart_triangle(l, s, p.faces[i]);
