@@ -17,6 +17,9 @@ constexpr double kBeside = 0.1;          // of the edge length: largest shift al
 constexpr double kMost = 0.5;            // share of a common area within the gap from which faces lie on each other
 constexpr double kNoArea = 1e-6;         // share of the smaller face below which a common area is none
 constexpr double kLeaning = 0.3;         // of the height: how far beside a border a point may be that lies above it
+constexpr double kLeans = 0.93;          // cosine of the angle from which a face leans over another
+constexpr double kFlatter = 0.05;        // by this cosine more a face lies clearly flatter on another
+constexpr double kFoldedOver = 0.05;     // share of the smaller face from which one lies over the other
 constexpr std::size_t kFaceBlock = 256;  // faces compared with the tree in one go
 
 /// Area that two faces share, and the part of it within the gap.
@@ -73,12 +76,14 @@ class LyingFaces {
   }
   /// Whether such faces have corners of `f`, but all only around a fold.
   [[nodiscard]] bool are_around_a_fold(FaceId f, const ContactRule& rule) const {
+    // However far the contact reaches, what is folded more than a sharp edge goes off it.
+    const double flat = std::cos(std::min(rule.options.contact_angle, rule.options.sharp_angle));
     const Vec3 n = unit_normal(complex_.corners(f));
     bool any = false;
     for (const VertexId v : complex_.face[f.value])
       if (const auto found = at_.find(v); found != at_.end())
         for (const FaceId g : found->second) {
-          if (rule.is_flat(n, unit_normal(complex_.corners(g)))) return false;
+          if (std::abs(dot(n, unit_normal(complex_.corners(g)))) > flat) return false;
           any = true;
         }
     return any;
@@ -87,6 +92,51 @@ class LyingFaces {
  private:
   const Complex& complex_;
   std::map<VertexId, std::vector<FaceId>> at_;
+};
+
+/// Of neighbours of which one is folded over the other, as a leaning facet in the wall of a hole over the plate around
+/// it, only that lies on another face which is clearly flatter to it: the other lies behind.
+class FoldedOver {
+ public:
+  struct Lying {
+    FaceId face;
+    std::uint32_t on = 0;  // component
+    friend auto operator<=>(const Lying&, const Lying&) = default;
+  };
+
+  /// `corners`: of a face.
+  template <class F>
+  FoldedOver(const Complex& complex, std::vector<Lying> lying, F&& corners)
+      : complex_(complex), lying_(std::move(lying)) {
+    make_distinct(lying_);
+    for (std::size_t i = 0; i < lying_.size(); ++i) {
+      corners_.push_back(corners(lying_[i].face));
+      for (const VertexId v : complex.face[lying_[i].face.value]) at_[v].push_back(i);
+    }
+  }
+
+  /// Whether a face is behind a neighbour, as what it may lie on with this normal sees it.
+  [[nodiscard]] bool is_behind(const Lying& f, const Triangle& own, Vec3 normal_on) const {
+    const double flatness = std::abs(dot(unit_normal(own), normal_on));
+    if (flatness >= kLeans) return false;
+    const auto is_before = [&](std::size_t i) {
+      const Lying& other = lying_[i];
+      if (other.on != f.on || complex_.component[other.face.value] != complex_.component[f.face.value] ||
+          std::abs(dot(unit_normal(corners_[i]), normal_on)) < flatness + kFlatter)
+        return false;
+      return area_of(part_over(own, corners_[i])) > kFoldedOver * std::min(area(own), area(corners_[i]));
+    };
+    return std::ranges::any_of(complex_.face[f.face.value], [&](VertexId v) {
+      const auto found = at_.find(v);
+      return found != at_.end() && std::ranges::any_of(found->second, is_before);
+    });
+  }
+
+ private:
+  const Complex& complex_;
+  std::vector<Lying> lying_;                         // ascending
+  std::vector<Triangle> corners_;                    // by position there
+  std::map<VertexId, std::vector<std::size_t>> at_;  // positions there
 };
 
 }  // namespace
@@ -145,9 +195,23 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
     return f.is_beside && !of_face[f.pair[0]].stands_off() && !of_face[f.pair[1]].stands_off();
   };
   const bool any = std::ranges::any_of(found, lie);
+  const auto lying_on = [&](const Found& f, std::size_t s) {
+    return FoldedOver::Lying{f.pair[s], complex.component[f.pair[1 - s].value]};
+  };
+  std::array<std::vector<FoldedOver::Lying>, 2> lying_broadly;
+  if (std::cos(rule.options.contact_angle) < kLeans)
+    for (const Found& f : found)
+      for (const std::size_t s : {0, 1})
+        if (lie(f) && f.area.is_broad) lying_broadly[s].push_back(lying_on(f, s));
+  const std::array folded{FoldedOver(complex, std::move(lying_broadly[0]), corners),
+                          FoldedOver(complex, std::move(lying_broadly[1]), corners)};
+  const auto is_behind = [&](const Found& f) {
+    return folded[0].is_behind(lying_on(f, 0), corners(f.pair[0]), unit_normal(corners(f.pair[1]))) ||
+           folded[1].is_behind(lying_on(f, 1), corners(f.pair[1]), unit_normal(corners(f.pair[0])));
+  };
   std::vector<FaceId> broadly;
   for (const Found& f : found)
-    if (lie(f) && f.area.is_broad) broadly.insert(broadly.end(), f.pair.begin(), f.pair.end());
+    if (lie(f) && f.area.is_broad && !is_behind(f)) broadly.insert(broadly.end(), f.pair.begin(), f.pair.end());
   const LyingFaces lying(complex, std::move(broadly));
   // Where two plates with a common hole lie on each other the walls of the hole abut, and lean over each other by a
   // hair.
@@ -158,7 +222,8 @@ Contacts find_contacts(const Complex& complex, std::span<const FaceId> first, st
   Contacts contacts;
   for (const Found& f : found) {
     contacts.pairs.push_back(f.pair);
-    contacts.on_each_other.push_back(any && (lie(f) || may_come_to_lie(f)) && !abut(f) ? 1 : 0);
+    const bool lies = any && (lie(f) || may_come_to_lie(f)) && !abut(f) && !is_behind(f);
+    contacts.on_each_other.push_back(lies ? 1 : 0);
   }
   return contacts;
 }
