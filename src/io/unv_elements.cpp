@@ -46,10 +46,11 @@ class AttributesTable {
 };
 
 struct Findings {
-  Irregular tokens, unusual_beams, orientation, negative;
+  Irregular tokens, unusual_beams, orientation, negative, odd_counts;
   void add(const Findings& later) {
     tokens.add(later.tokens), unusual_beams.add(later.unusual_beams);
     orientation.add(later.orientation), negative.add(later.negative);
+    odd_counts.add(later.odd_counts);
   }
 };
 
@@ -161,6 +162,7 @@ class PieceParser {
     const std::int64_t label = record.label();
     piece.attributes.push_back(attributes_);
     if (negative_) piece.findings.negative.add(at);
+    if (odd_count_) piece.findings.odd_counts.add(at);
     piece.label.push_back(label), piece.place.push_back(at);
     piece.n_nodes.push_back(static_cast<std::uint32_t>(record.nodes.size()));
     for (std::size_t k = 0; k < record.nodes.size(); ++k) {
@@ -186,6 +188,7 @@ class PieceParser {
   void take_attributes(const std::vector<std::int64_t>& header, Piece& piece) {
     const ElementAttributes a = attributes_of(header, layout_);
     negative_ = a.physical < 0 || a.material < 0;
+    odd_count_ = is_odd_count(a.type, header.back());
     attributes_ = piece.table.intern(a);
     shape_ = a.shape;
   }
@@ -199,6 +202,7 @@ class PieceParser {
   std::uint32_t attributes_ = 0;  // in the table of the piece
   Shape shape_ = Shape::kOther;   // of these
   bool negative_ = false;         // a number among them
+  bool odd_count_ = false;        // of nodes, for their type
 };
 
 void append(std::span<const Piece> pieces, Model& model) {
@@ -314,6 +318,9 @@ tl::expected<void, Fault> read_elements(const Document& d, const Dataset& datase
        warnings);
   warn(d, findings.negative, "negative-number",
        " elements have a negative property or material number, which some readers take for the end of the dataset",
+       warnings);
+  warn(d, findings.odd_counts, "node-count",
+       " elements have a number of nodes that their type does not have; they are kept as they are and never joined",
        warnings);
   return {};
 }

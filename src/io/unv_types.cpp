@@ -42,9 +42,12 @@ constexpr Type kTypes[] = {
 };
 static_assert(std::ranges::is_sorted(kTypes, {}, &Type::id));
 
+auto rows_of(std::int64_t id) {
+  return std::ranges::equal_range(kTypes, id, {}, [](const Type& t) { return std::int64_t{t.id}; });
+}
+
 const Type* type_of(std::int64_t id, std::int64_t n) {
-  const auto rows = std::ranges::equal_range(kTypes, id, {}, [](const Type& t) { return std::int64_t{t.id}; });
-  for (const Type& t : rows)
+  for (const Type& t : rows_of(id))
     if (t.nodes == 0 || t.nodes == n) return &t;
   return nullptr;
 }
@@ -67,6 +70,10 @@ Shape shape_of(std::int64_t id, std::int64_t n) {
 }
 
 bool is_known_type(std::int64_t id, std::int64_t n) { return type_of(id, n) != nullptr; }
+
+bool is_odd_count(std::int64_t id, std::int64_t n) {
+  return n == 0 || (!rows_of(id).empty() && type_of(id, n) == nullptr);
+}
 
 std::int64_t descriptor_of_graphical(std::int64_t code) {
   const auto* row = std::ranges::find(kGraphical, code, &Graphical::code);

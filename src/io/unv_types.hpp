@@ -14,6 +14,9 @@ namespace meshgraft::unv {
 /// Whether a record of this id is plausible: the id is known and n fits it.
 [[nodiscard]] bool is_known_type(std::int64_t id, std::int64_t n);
 
+/// Whether n is no number of nodes for this id: none at all, or one that a known id does not have.
+[[nodiscard]] bool is_odd_count(std::int64_t id, std::int64_t n);
+
 /// Ids whose record has a beam line (orientation node, two section numbers) after the header.
 [[nodiscard]] constexpr bool has_beam_record(std::int64_t id) { return id == 11 || (id >= 21 && id <= 24); }
 

@@ -141,6 +141,19 @@ TEST(UnvElements, BeamRecordForgottenOrInvented) {
   EXPECT_TRUE(warns(invented, "beam-record"));
 }
 
+TEST(UnvElements, ANumberOfNodesThatTheTypeDoesNotHaveIsTold) {
+  for (const auto& odd : {line({1, 91, 1, 1, 7, 4}) + line({1, 2, 5, 4}), line({1, 91, 1, 1, 7, 2}) + line({1, 2}),
+                          line({1, 94, 1, 1, 7, 0}), line({1, 777, 1, 1, 7, 0})}) {
+    const Model m = with_elements(odd + kTriangle);
+    EXPECT_TRUE(warns(m, "node-count")) << odd;
+    EXPECT_EQ(m.shape(ElementId(0u)), Shape::kOther);
+    EXPECT_EQ(m.shape(ElementId(1u)), Shape::kTriangle);
+  }
+  for (const auto& usual : {line({2, 41, 1, 1, 7, 3}) + line({1, 2, 5}), line({1, 777, 1, 1, 7, 2}) + line({1, 2}),
+                            line({1, 122, 1, 1, 7, 1}) + line({1})})
+    EXPECT_FALSE(warns(with_elements(usual + kTriangle), "node-count")) << usual;
+}
+
 TEST(UnvElements, OrientationNodeStaysKnown) {
   const Model m = with_elements(line({1, 21, 1, 1, 7, 2}) + line({6, 1, 1}) + line({1, 2}) + kTriangle);
   ASSERT_EQ(m.orientation_nodes.size(), 1u);
