@@ -40,6 +40,13 @@ class Assembly {
   /// `complex` must outlive this. `size`: by face, its mean edge length.
   Assembly(const Complex& complex, std::span<const double> size);
 
+  /// Moves a vertex, before anything is joined.
+  void move(VertexId v, Vec3 to) { whole_.position[v.value] = to; }
+  /// A vertex that must stay where it is now.
+  void pin(VertexId v) {
+    if (VertexState& state = whole_.state[v.value]; state == VertexState::kOpen) state = VertexState::kPinned;
+  }
+
   /// The pieces of the given faces (ascending, of the original complex) and all that share a vertex
   /// with one of them, complete with their lines and fixed edges.
   [[nodiscard]] CutOut around(std::span<const FaceId> faces) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "core/blocks.hpp"
@@ -27,7 +28,14 @@ std::uint32_t largest_component(const Complex& complex) {
 
 }  // namespace
 
-std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double> size, const SnapRule& rule) {
+std::vector<std::uint32_t> ranks_by_id(const Complex& complex) {
+  std::vector<std::uint32_t> rank(n_components(complex));
+  std::iota(rank.begin(), rank.end(), 0u);
+  return rank;
+}
+
+std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double> size, const SnapRule& rule,
+                                  std::span<const std::uint32_t> rank) {
   std::vector<NearFaces> near(n_components(complex));
   if (near.size() < 2) return near;
   std::vector<Box> boxes(complex.n_faces()), in_tree;
@@ -54,7 +62,7 @@ std::vector<NearFaces> near_faces(const Complex& complex, std::span<const double
       },
       kFaceBlock);
   for (const auto& [f, g] : pairs) {
-    const bool first_is_later = complex.component[f.value] > complex.component[g.value];
+    const bool first_is_later = rank[complex.component[f.value]] > rank[complex.component[g.value]];
     const auto [own, earlier] = first_is_later ? std::pair{f, g} : std::pair{g, f};
     NearFaces& of_later = near[complex.component[own.value]];
     of_later.own.push_back(own), of_later.earlier.push_back(earlier);

@@ -9,6 +9,7 @@
 #include "intersect/assembly.hpp"
 #include "intersect/component_pairs.hpp"
 #include "intersect/join.hpp"
+#include "intersect/rims.hpp"
 #include "intersect/shared.hpp"
 #include "intersect/thin_parts.hpp"
 
@@ -37,17 +38,41 @@ class Corefiner {
         options_(options),
         largest_(largest_coordinate(complex)),
         size_(mean_edge_lengths(complex)),
-        near_(near_faces(complex, size_, SnapRule(largest_, options, true))),
+        rank_(ranks_by_id(complex)),
+        near_(near_faces(complex, size_, SnapRule(largest_, options, true), rank_)),
         assembly_(complex, size_) {}
 
-  tl::expected<Corefined, JunctionFault> run() {
+  /// `draws_rims`: where parts lie on others and end on third meshes, they are drawn onto those first.
+  tl::expected<Corefined, JunctionFault> run(bool draws_rims) {
     if (auto fault = find_thin_parts()) return tl::unexpected(std::move(*fault));
-    for (std::uint32_t component = 0; component < near_.size(); ++component)
+    if (draws_rims) draw_rims();
+    std::vector<std::uint32_t> order(rank_.size());
+    for (std::uint32_t component = 0; component < order.size(); ++component) order[rank_[component]] = component;
+    for (const std::uint32_t component : order)
       if (auto fault = join_one(component)) return tl::unexpected(std::move(*fault));
     return result();
   }
 
+  [[nodiscard]] bool has_drawn_rims() const { return has_drawn_rims_; }
+
  private:
+  void draw_rims() {
+    if (options_.mode == Mode::kFaceEdge) return;
+    const SnapRule snap(largest_, options_, true);
+    const Rims rims = find_rims(complex_, near_, size_, snap, options_);
+    for (const auto& [v, to] : rims.extensions.moved) {
+      if (const NodeRef node = complex_.node[v.value]; node.valid())
+        out_.moves.push_back({node, v, complex_.position[v.value], to});
+      assembly_.move(v, to);
+    }
+    bends_ = rims.extensions.bends;
+    has_drawn_rims_ = !rims.extensions.moved.empty();
+    std::vector<std::uint32_t> rank = ranks(rank_.size(), rims.ends);
+    if (rank == rank_) return;
+    rank_ = std::move(rank);
+    near_ = near_faces(complex_, size_, snap, rank_);
+  }
+
   [[nodiscard]] std::optional<JunctionFault> find_thin_parts() const {
     std::vector<std::vector<FaceId>> near(near_.size());  // by component: its faces near others
     for (std::size_t c = 0; c < near_.size(); ++c) {
@@ -70,7 +95,7 @@ class Corefiner {
     std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
-    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}};
+    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, rank_};
     if (auto fault = join(joining, component, largest_, groups_, options_)) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
@@ -86,8 +111,14 @@ class Corefiner {
     return std::nullopt;
   }
 
-  /// A node may be moved in several joins: from where it was first to where it is at last.
+  /// Call only once all are known, ascending.
+  [[nodiscard]] bool is_replaced(NodeRef node) const {
+    return std::ranges::binary_search(out_.replaced, node, {}, &Corefined::Replaced::node);
+  }
+
+  /// A node may be moved in several joins: from where it was first to where it is at last; or be replaced later.
   void unite_moves() {
+    std::erase_if(out_.moves, [&](const Corefined::Move& m) { return is_replaced(m.node); });
     std::ranges::stable_sort(out_.moves, {}, &Corefined::Move::node);
     std::vector<Corefined::Move> all;
     for (const Corefined::Move& m : out_.moves) {
@@ -100,9 +131,11 @@ class Corefiner {
   }
 
   Corefined result() {
+    std::ranges::sort(out_.replaced, {}, &Corefined::Replaced::node);
     unite_moves();
-    std::sort(out_.replaced.begin(), out_.replaced.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
     std::sort(out_.covered.begin(), out_.covered.end());
+    for (const VertexId v : bends_)
+      if (!is_replaced(complex_.node[v.value])) assembly_.pin(v);
     out_.complex = assembly_.finished(out_.touched, out_.kept);
     find_shared(out_);
     return std::move(out_);
@@ -111,18 +144,25 @@ class Corefiner {
   const Complex& complex_;
   GroupSets& groups_;
   const CorefineOptions& options_;
-  double largest_;               // coordinate, by magnitude
-  std::vector<double> size_;     // by face, its mean edge length
-  std::vector<NearFaces> near_;  // by component
+  double largest_;                   // coordinate, by magnitude
+  std::vector<double> size_;         // by face, its mean edge length
+  std::vector<std::uint32_t> rank_;  // by component: its place in the order in which they are joined
+  std::vector<NearFaces> near_;      // by component
   Assembly assembly_;
   Corefined out_;
+  bool has_drawn_rims_ = false;
+  std::vector<VertexId> bends_;  // of rims, see Extensions
 };
 
 }  // namespace
 
 tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
                                                 const CorefineOptions& options) {
-  return Corefiner(complex, groups, options).run();
+  Corefiner corefiner(complex, groups, options);
+  auto corefined = corefiner.run(true);
+  if (corefined || !corefiner.has_drawn_rims()) return corefined;
+  auto as_they_are = Corefiner(complex, groups, options).run(false);
+  return as_they_are ? std::move(as_they_are) : std::move(corefined);
 }
 
 }  // namespace meshgraft

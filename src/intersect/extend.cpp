@@ -35,9 +35,13 @@ class Surface {
     FaceId face;  // invalid: none is within the limit
     Vec3 point;
   };
-  [[nodiscard]] Foot nearest(Vec3 p, double limit) const {
+  /// `counts`: of a face, by its normal.
+  template <class F>
+  [[nodiscard]] Foot nearest(Vec3 p, double limit, F&& counts) const {
     const auto squared_distance = [&](std::uint32_t i) {
-      return squared_norm(p - closest_on_triangle(p, complex_.corners(faces_[i])).point);
+      const Triangle t = complex_.corners(faces_[i]);
+      if (!counts(unit_normal(t))) return std::numeric_limits<double>::infinity();
+      return squared_norm(p - closest_on_triangle(p, t).point);
     };
     const auto found = tree_.nearest(p, squared_distance, limit * limit);
     if (!found.found()) return {};
@@ -144,7 +148,11 @@ class Extender {
     while (take_back_bad_ones()) {
     }
     Extensions all;
-    for (const auto& [v, to] : target_) all.moved.push_back({v, to});
+    for (const auto& [v, to] : target_) {
+      all.moved.push_back({v, to});
+      all.ended_on.push_back(complex_.component[gaps_.at(v).face.value]);
+    }
+    make_distinct(all.ended_on);
     all.bends = bends();
     find_half_reached(all);
     return all;
@@ -155,10 +163,19 @@ class Extender {
     Vec3 across;  // to the nearest point of the surface
     Vec3 normal;  // of the face there
     double tolerance = 0, weld = 0;
+    FaceId face;
     bool is_open = false;  // it is wider than rounding; a corner may end on one wall and be short of the next
   };
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex_.position[v.value]; }
+  /// The nearest place of the surface that free edges at v may end on.
+  [[nodiscard]] Surface::Foot nearest(VertexId v, Vec3 p, double limit) const {
+    return surface_.nearest(p, limit, [&](Vec3 normal) {
+      return rule_.least_angle <= 0 || std::ranges::all_of(ends_.at(v), [&](const End& e) {
+               return std::abs(dot(normal, unit_normal(complex_.corners(e.face)))) < std::cos(rule_.least_angle);
+             });
+    });
+  }
   [[nodiscard]] bool is_exact(FaceId f) const { return !exact_.empty() && exact_[f.value] != 0; }
 
   void find_gap(VertexId v, const std::vector<End>& ends) {
@@ -167,13 +184,17 @@ class Extender {
       if (is_exact(e.face)) return;
       finest = std::min(finest, size_[e.face.value]);
     }
-    const Surface::Foot foot = surface_.nearest(at(v), rule_.tolerance.at(finest));
+    const Surface::Foot foot = nearest(v, at(v), rule_.tolerance.at(finest));
     if (!foot.face.valid() || is_exact(foot.face)) return;
     const double size = std::min(finest, size_[foot.face.value]);
     const Vec3 across = foot.point - at(v);
     const double weld = rule_.snap.at(size).weld;
     if (norm(across) <= rule_.tolerance.at(size))
-      gaps_[v] = {across, unit_normal(complex_.corners(foot.face)), rule_.tolerance.at(size), weld,
+      gaps_[v] = {across,
+                  unit_normal(complex_.corners(foot.face)),
+                  rule_.tolerance.at(size),
+                  weld,
+                  foot.face,
                   norm(across) > weld};
   }
 
@@ -183,12 +204,12 @@ class Extender {
     for (const auto& [v, gap] : gaps_)
       for (const End& e : ends_.at(v)) {
         if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
-        const Surface::Foot foot = surface_.nearest(at(e.other), gap.tolerance + distance(at(e.other), at(v)));
+        const Surface::Foot foot = nearest(e.other, at(e.other), gap.tolerance + distance(at(e.other), at(v)));
         if (!foot.face.valid() || is_exact(foot.face)) continue;
         const Vec3 n = unit_normal(complex_.corners(foot.face)), way = foot.point - at(e.other);
         const double height = dot(n, way);
         if (std::abs(height) > gap.tolerance || std::abs(height) >= kAcross * norm(way)) continue;
-        past.insert({e.other, {height * n, n, gap.tolerance, gap.weld, std::abs(height) > gap.weld}});
+        past.insert({e.other, {height * n, n, gap.tolerance, gap.weld, foot.face, std::abs(height) > gap.weld}});
       }
     gaps_.insert(past.begin(), past.end());
   }
@@ -269,7 +290,7 @@ class Extender {
     if (std::abs(det) < kLeastSine * kLeastSine) return std::nullopt;
     const double p = uu * on_u->way, q = ww * on_w->way;
     const Vec3 to = at(v) + ((p * ww - q * uw) / det) * u + ((q * uu - p * wu) / det) * w;
-    const Surface::Foot foot = surface_.nearest(to, gap.tolerance);
+    const Surface::Foot foot = nearest(v, to, gap.tolerance);
     if (!foot.face.valid() || distance(foot.point, at(v)) > rule_.longest_way * gap.tolerance) return std::nullopt;
     return foot.point;
   }
@@ -303,7 +324,7 @@ class Extender {
     for (const auto& [v, gap] : gaps_)
       for (const End& e : ends_.at(v)) {
         if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
-        const Surface::Foot foot = surface_.nearest(at(e.other), norm(gap.across) + distance(at(e.other), at(v)));
+        const Surface::Foot foot = nearest(e.other, at(e.other), norm(gap.across) + distance(at(e.other), at(v)));
         if (!foot.face.valid()) continue;
         const Vec3 way = foot.point - at(e.other);
         if (std::abs(dot(unit_normal(complex_.corners(foot.face)), way)) >= kAcross * norm(way))

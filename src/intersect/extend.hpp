@@ -18,8 +18,9 @@ struct Extension {
 /// What extends free edges to another mesh, in order of the vertices.
 struct Extensions {
   std::vector<Extension> moved;
-  std::vector<VertexId> bends;  // stay, and the free edge that is extended beside them turns in them now
-  std::vector<VertexId> last;   // in reach, of edges that go on out of reach
+  std::vector<std::uint32_t> ended_on;  // components that those ended on, ascending
+  std::vector<VertexId> bends;          // stay, and the free edge that is extended beside them turns in them now
+  std::vector<VertexId> last;           // in reach, of edges that go on out of reach
   std::vector<Corefined::HalfReached> half_reached;  // the other ends of these edges, each once
 };
 
@@ -32,6 +33,8 @@ struct ExtendRule {
   const Tolerance& tolerance;  // by the smaller of the mean edge lengths of the faces across the gap
   const SnapRule& snap;        // what is nearer than its weld length is there already
   double longest_way = kLongestWay;
+  /// Faces of the other surface flatter than this to the face at a free edge are none that it ends on. Radians.
+  double least_angle = 0;
 };
 
 /// Extensions of the free edges of `own`, faces of one component, to the surface of `other`.

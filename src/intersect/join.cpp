@@ -232,7 +232,8 @@ class Joiner {
     std::array<std::vector<FaceId>, 2> faces;
     for (std::size_t f = 0; f < complex_.n_faces(); ++f) {
       const std::uint32_t c = complex_.component[f];
-      if (marks_.active[f] && (c == component_ || (c < component_ && is_joined_with(FaceId(f)))))
+      if (marks_.active[f] &&
+          (c == component_ || (joining_.rank[c] < joining_.rank[component_] && is_joined_with(FaceId(f)))))
         faces[c == component_].push_back(FaceId(f));
     }
     return faces;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,9 +20,10 @@ struct Joining {
   std::vector<Corefined::HalfReached> half_reached;
   std::vector<Corefined::JoinedSeam> joined_seams;
   std::vector<Corefined::Covered> covered;
+  std::span<const std::uint32_t> rank{};  // by component: its place in the order in which they are joined
 };
 
-/// Imprints a component and the earlier ones it is joined to on each other; see corefine().
+/// Imprints a component and those before it that it is joined to on each other; see corefine().
 /// `largest`: the largest coordinate of the whole model, by magnitude; what rounding costs follows
 /// from it. On a fault the Joining is left half done.
 [[nodiscard]] std::optional<JunctionFault> join(Joining& joining, std::uint32_t component, double largest,

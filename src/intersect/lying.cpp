@@ -89,6 +89,10 @@ void mark_edges_that_stay(LyingMeeting& l) {
         (side.is_feature_edge(e) || is_border_of_reach(l, e)) && n_in_contact(l, l.stays, e) == 1;
 }
 
+/// Over the shift along a surface: how far the border of one side may pass a line of the other that both its ends are
+/// on, as chords of one curve do. Each may be off that curve.
+constexpr double kChord = 2;
+
 /// A place on the other side where a vertex may lie; the best is the least.
 struct Spot {
   VertexId vertex;
@@ -146,6 +150,19 @@ class Declarer {
     });
   }
 
+  /// Both ends of an edge lie on features of the other side.
+  [[nodiscard]] bool ends_on_lines(std::size_t s, LocalEdge e) const {
+    const Side& other = m_.side[1 - s];
+    return std::ranges::all_of(m_.side[s].ends(e), [&](VertexId v) {
+      return m_.any_symbol(s, v, [&](const Symbol& symbol) {
+        const Carrier& on = symbol.on[1 - s];
+        return on.kind == Carrier::kEdge
+                   ? other.is_feature_edge(on.id)
+                   : on.kind == Carrier::kVertex && other.is_feature(VertexId(std::size_t{on.id}));
+      });
+    });
+  }
+
   void add_spots(std::size_t s, VertexId v, const FacePair& p, std::vector<Spot>& spots) const {
     const std::size_t o = 1 - s;
     const Side& other = m_.side[o];
@@ -167,13 +184,16 @@ class Declarer {
       if (to_vertex && offset(l_.at(o, x)) <= beside)
         spots.push_back({v, 0, offset(l_.at(o, x)), x.value, 0, l_.at(o, x), slid(l_.at(o, x))});
       const LocalEdge e = other.edges(g)[k];
-      const bool to_edge = (is_feature && other.is_feature_edge(e)) ||
+      const bool to_border =
+          !may_slide && m_.side[s].is_feature(v) && l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
+      const bool to_edge = (is_feature && other.is_feature_edge(e)) || to_border ||
                            (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
       if (!to_edge) continue;
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);
       const Vec3 flat = l_.at(s, v) - dot(n, l_.at(s, v) - a) * n;
       const SegmentPoint c = closest_on_segment(flat, a, b);
-      if (c.t > 0 && c.t < 1 && offset(c.point) <= beside)
+      const double limit = to_border && ends_on_lines(o, e) ? kChord * beside : beside;
+      if (c.t > 0 && c.t < 1 && offset(c.point) <= limit)
         spots.push_back({v, 1, offset(c.point), e, c.t, c.point, slid(c.point)});
     }
   }

@@ -28,7 +28,8 @@ bool is_sharp(const Complex& complex, const Use& a, const Use& b, double sharp_a
 bool is_feature_edge(const Complex& complex, std::span<const Use> uses, double sharp_angle) {
   const auto frozen = [&](std::uint64_t v) { return complex.state[v & 0xFFFFFFFF] == VertexState::kFrozen; };
   if (frozen(uses[0].edge >> 32) && frozen(uses[0].edge)) return false;  // its other faces may be missing
-  return uses.size() != 2 || is_sharp(complex, uses[0], uses[1], sharp_angle);
+  if (uses.size() != 2 || is_sharp(complex, uses[0], uses[1], sharp_angle)) return true;
+  return !complex.layers.empty() && !complex.are_of_the_same(uses[0].face, uses[1].face);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ class Side {
   /// One face in all, unless both ends are frozen, where others may be missing.
   [[nodiscard]] bool is_free(LocalEdge e) const { return n_at_edge_[e] == 1 && edge_feature_[e] != 0; }
 
-  /// Free, sharp or non-manifold edges; their ends; pinned vertices.
+  /// Free, sharp or non-manifold edges, and borders of what lies on the mesh; their ends; pinned vertices.
   [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
   [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }
   /// A place of its own: a pinned vertex, or one where feature edges end, branch or turn sharply.
