@@ -65,6 +65,25 @@ NodeRef heir(const Outcome& outcome, NodeRef n) {
   return it != replaced.end() && it->node == n ? outcome.corefined.complex.node[it->by.value] : n;
 }
 
+/// Its ends by the nodes that they are now.
+NodePair heirs(const Outcome& outcome, const FaceOnEdge& e) {
+  const NodePair nodes = key(outcome.original, e);
+  const NodeRef a = heir(outcome, nodes[0]), b = heir(outcome, nodes[1]);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Vertices of the final complex that changed, and those that nodes of others became one with.
+std::vector<std::uint8_t> changed_or_heir(const Outcome& outcome) {
+  std::vector<NodeRef> by;
+  for (const Corefined::Replaced& r : outcome.corefined.replaced)
+    by.push_back(outcome.corefined.complex.node[r.by.value]);
+  std::ranges::sort(by);
+  std::vector<std::uint8_t> marked = outcome.changed_vertex;
+  for (std::size_t v = 0; v < marked.size(); ++v)
+    if (std::ranges::binary_search(by, outcome.stitched.node[v])) marked[v] = 1;
+  return marked;
+}
+
 /// A face that lay on another mesh and was deleted, or that another one stands for now, has left its
 /// free edges to that mesh.
 bool went_with_its_face(const Outcome& outcome, ElementRef face) {
@@ -79,7 +98,8 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   const std::vector<NodeRef> unchanged = unchanged_nodes(outcome, changed);
   const std::vector<FaceOnEdge> old_edges = free_edges(before, changed_before(outcome, unchanged));
   const std::vector<FaceOnEdge> new_edges = free_edges(after, changed);
-  const std::vector<NodePair> old_keys = keys(before, old_edges), new_keys = keys(after, new_edges);
+  const std::vector<NodePair> old_keys = keys(before, old_edges);
+  const std::vector<NodePair> left_keys = keys(after, free_edges(after, changed_or_heir(outcome)));
 
   // What was dropped takes free edges with it and leaves new ones.
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
@@ -89,8 +109,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   for (const JunctionEdge& e : junction_of(after).edges) joined.push_back(segment(after, e.ends[0], e.ends[1]));
   const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments)), is_joined(std::move(joined));
 
-  const auto is_known = [&](const Complex& complex, const FaceOnEdge& e, std::span<const NodePair> known) {
-    const NodePair nodes = key(complex, e);
+  const auto is_known = [](const NodePair& nodes, std::span<const NodePair> known) {
     return nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes);
   };
   const auto allowed = [&](const Complex& complex, const FaceOnEdge& e, const Segment& s) {
@@ -100,13 +119,13 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   };
   const auto was_there = [&](const FaceOnEdge& e) {
     const Segment s = segment(after, e.low, e.high);
-    return is_known(after, e, old_keys) || was_free.cover(s, allowed(after, e, s));
+    return is_known(key(after, e), old_keys) || was_free.cover(s, allowed(after, e, s));
   };
   // A rim that is a junction now is as fine as that, which may be coarser.
   const auto is_covered = [&](const FaceOnEdge& e) {
     const Segment s{outcome.moved(e.low), outcome.moved(e.high)};
     const double near = allowed(before, e, s);
-    return is_known(before, e, new_keys) || std::ranges::all_of(places_on(s), [&](Vec3 p) {
+    return is_known(heirs(outcome, e), left_keys) || std::ranges::all_of(places_on(s), [&](Vec3 p) {
              return is_free.are_near(p, near) || is_joined.are_near(p, near, max_distance);
            });
   };

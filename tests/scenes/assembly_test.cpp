@@ -84,5 +84,24 @@ TEST(Assembly, TheRimMovesAlongThePadAndNoFartherThanATenthOfTheEdgeLength) {
   }
 }
 
+/// Where halves of a mesh match node for node, a face at the seam may stay as it is though the zone of another junction
+/// begins beside it: its free edge runs from a node that changed to one that the other half has.
+TEST(Assembly, HalvesThatMatchAreRejoinedInEitherOrder) {
+  constexpr double kSize = 0.1;
+  const Model second = scenes::plate({0, 0, 0}, {1.5, 0, 0}, {0, 1, 0}, kSize, "SECOND");
+  for (const double x : {0.43, 0.45, 0.47}) {
+    SCOPED_TRACE(x);
+    const Model first =
+        scenes::together(std::array{scenes::plate({-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, kSize, "FIRST"),
+                                    scenes::plate({x, -0.2, -0.3}, {0, 1.4, 0}, {0, 0, 0.6}, kSize, "CROSSING")});
+    for (const auto& [base, part] : {std::pair(&first, &second), std::pair(&second, &first)}) {
+      const auto merged = merge(*base, std::span(part, 1), {});
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+      scenes::expect_sound(apply(*base, std::span(part, 1), *merged));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meshgraft
