@@ -47,11 +47,20 @@ struct Met {
   }
 };
 
-/// How many of the components meet another one.
-std::size_t joined_components(const Report& report) {
+/// A line: how many of the components that were to be joined meet another one; where groups are named, others were not.
+std::string met_components(const Report& report, const std::vector<JoinedGroups>& joins) {
   std::set<std::uint32_t> met;
   for (const PolylineSummary& p : report.junction) met.insert(p.components.begin(), p.components.end());
-  return met.size();
+  const auto is_named = [&](const std::string& group) {
+    return std::ranges::any_of(joins, [&](const JoinedGroups& j) { return j.a == group || j.b == group; });
+  };
+  std::size_t all = 0, joined = 0;
+  for (std::uint32_t c = 0; c < report.components.size(); ++c) {
+    if (!joins.empty() && std::ranges::none_of(report.components[c].groups, is_named)) continue;
+    ++all, joined += met.contains(c) ? 1 : 0;
+  }
+  return fmt::format("\n{} of {} connected meshes{} met", joined, all,
+                     joins.empty() ? "" : " of the groups to be joined");
 }
 
 /// Area in which an input lies on others.
@@ -80,8 +89,7 @@ std::string junction(const Report& report, const MergeArguments& arguments) {
     if (lying > 0) text += fmt::format("{}lies on others, area {}", in_nodes ? "; " : "", figure(lying));
     if (!in_nodes && lying == 0) text += "meets nothing";
   }
-  if (!report.components.empty() && arguments.parts.empty())
-    text += fmt::format("\n{} of {} connected meshes met", joined_components(report), report.components.size());
+  if (!report.components.empty() && arguments.parts.empty()) text += met_components(report, arguments.options.joins);
   return text;
 }
 

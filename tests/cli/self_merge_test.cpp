@@ -51,5 +51,14 @@ TEST(SelfMerge, JoinLimitsItToTwoGroups) {
   EXPECT_NE(run.err.find("DECK"), std::string::npos) << run.err;
 }
 
+TEST(SelfMerge, OnlyMeshesOfTheNamedGroupsAreCounted) {
+  const Folder folder;
+  const Model other = scenes::plate({0, 0, 5}, {2, 0, 0}, {0, 2, 0}, 0.1, "OTHER");
+  ASSERT_TRUE(write_unv(scenes::together(std::array{assembly(), other}), folder / "in.unv"));
+  const auto run = folder.run({"merge", "in.unv", "-o", "out.unv", "--join", "RIB:WALL"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("2 of 2 connected meshes of the groups to be joined met"), std::string::npos) << run.out;
+}
+
 }  // namespace
 }  // namespace meshgraft::cli_tests
