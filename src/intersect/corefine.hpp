@@ -62,6 +62,7 @@ struct Corefined {
   struct Covered {
     ElementRef face;
     double area = 0;                      // of it that went
+    double area_there = 0;                // the same as drawn onto the other surface, which may be bent the other way
     bool has_heir = false;                // another face stands for it now (Complex::layers)
     std::uint32_t component = 0, on = 0;  // its own, and that of the face it lay on
     friend auto operator<=>(const Covered&, const Covered&) = default;

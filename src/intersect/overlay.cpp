@@ -260,10 +260,20 @@ class Overlayer {
     for (std::size_t i = 0; i < covered.size(); ++i) {
       const std::uint32_t foot = l.cover[l.stays].foot(middle(l, l.goes(), covered[i])).face;
       const FaceId on = l.meeting.side[l.stays].face(l.cover_face[l.stays][foot]);
-      out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), takes_over(),
-                              complex_.component[covered[i].value], component_before_[on.value]});
+      out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), area_there(l, covered[i]),
+                              takes_over(), complex_.component[covered[i].value], component_before_[on.value]});
     }
     remove(covered);
+  }
+
+  /// Area of a face of the side that goes between the places of its corners on the other.
+  [[nodiscard]] double area_there(const LyingMeeting& l, FaceId f) const {
+    Triangle there;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = complex_.face[f.value][k];
+      there[k] = on_both_[v.value] ? l.at(l.stays, v) : l.cover[l.stays].foot(l.at(l.goes(), v)).point;
+    }
+    return area(there);
   }
 
   /// Edges of the side that is kept where mere edges of the other mesh cross them: those end on the nodes that are

@@ -125,7 +125,7 @@ Result<void> conclude(const Operation& operation, Stopwatch& watch, Merged& merg
   watch.start("check", 0.9);
   Outcome outcome{inputs, components,    original, corefined, NodePlaces(inputs, corefined), final_complex, stitched,
                   graft,  merged.labels, dropped,  all_layers};
-  outcome.kind = kind;
+  outcome.kind = kind, outcome.beneath_last = laid_out.beneath;
   tell(zone.unfilled, report);
   judge(outcome, bad_faces(inputs, zone.remeshed, laid_out, options.min_quality), translated, options, report);
   report.overlaps = overlap_entries(inputs, components, corefined, zone.remeshed.complex, all_layers);

@@ -125,7 +125,7 @@ void add_stretch(const Complex& original, const Corefined& corefined, const Node
     if (covered.empty() && !places.is_moved(parent)) continue;
     double now = 0;
     if (covered.empty()) now = area(places.of(parent));
-    for (const Corefined::Covered& went : covered) now += went.area;
+    for (const Corefined::Covered& went : covered) now += went.has_heir ? went.area_there : went.area;
     if (!covered.empty()) now += left_of(parent);
     const double growth = now - area(original.corners(FaceId(f)));
     for (const GroupId g : sets.members(original.face_groups[f])) dropped.stretched_area[g.value] += growth;

@@ -24,6 +24,7 @@ class Measure {
           faces.push_back(model.corners(e));
           if (outcome.places.is_moved({k, e})) faces.push_back(outcome.places.of(ElementRef{k, e}));
         }
+    for (const Complex::Layers& layers : outcome.final_complex.layers) gaps_ = std::max(gaps_, layers.size());
     for (auto& faces : removed) references_.emplace_back(std::move(faces));
   }
 
@@ -40,13 +41,14 @@ class Measure {
     for (const Worst& w : of_block) worst.add(w);
 
     FidelityVerdict verdict{worst.figures, {}};
-    const double allowed = std::max(limits_.max_relative, relative(tolerance_, worst.face));
-    if (worst.figures.max_distance_relative > allowed)
+    if (worst.beyond.face.valid())
       verdict.broken.push_back(
           {ErrorCode::kPromiseBroken,
-           outcome_.text(worst.face) + " is " + text_of(worst.figures.max_distance) + " off the input surface, " +
-               text_of(100 * worst.figures.max_distance_relative) + " % of the edge length",
-           "give a smaller --size, so that the surface is followed more closely", outcome_.parent_place(worst.face)});
+           outcome_.text(worst.beyond.face) + " is " + text_of(worst.beyond.distance) + " off the input surface, " +
+               text_of(100 * worst.beyond.distance / outcome_.input_edge_length(worst.beyond.face)) +
+               " % of the edge length",
+           "give a smaller --size, so that the surface is followed more closely",
+           outcome_.parent_place(worst.beyond.face)});
     return verdict;
   }
 
@@ -57,25 +59,36 @@ class Measure {
     FaceId face;
   };
 
-  /// The farthest sample, over the edge length, and the distances; of equal ones the first.
+  /// A sample that is farther from the input surface than it may be.
+  struct Beyond {
+    FaceId face;  // invalid: there is none
+    double distance = 0;
+    double share = 0;  // of the edge length, by which it is too far
+  };
+
+  /// The farthest sample, over the edge length, the distances, and what is most too far; of equal ones the first.
   struct Worst {
     Report::Fidelity figures;
-    FaceId face;
+    Beyond beyond;
 
     void add(const Worst& other) {
+      if (other.beyond.share > beyond.share) beyond = other.beyond;
       figures.max_distance = std::max(figures.max_distance, other.figures.max_distance);
       if (other.figures.max_distance_relative <= figures.max_distance_relative) return;
       figures.max_distance_relative = other.figures.max_distance_relative;
-      figures.at = other.figures.at, face = other.face;
+      figures.at = other.figures.at;
     }
   };
 
-  /// The tolerance over the edge length at the worst place. Each of several layers may be that far from the next.
-  [[nodiscard]] double relative(const Tolerance& tolerance, FaceId worst) const {
-    const double length = worst.valid() ? outcome_.input_edge_length(worst) : 1;
-    std::size_t gaps = 1;
-    for (const Complex::Layers& layers : outcome_.final_complex.layers) gaps = std::max(gaps, layers.size());
-    return static_cast<double>(gaps) * tolerance.at(length) / length;
+  /// How far a new face may be from the input surface. Where gaps were closed that is the tolerance: each of several
+  /// layers may be that far from the next. A layer that was laid on another has the new faces of that one, which are
+  /// as far from its surface as they may be, and the gap is between the two surfaces.
+  [[nodiscard]] double allowed(FaceId f) const {
+    const double length = outcome_.input_edge_length(f);
+    const double drawn = static_cast<double>(gaps_) * tolerance_.at(length);
+    if (const FaceId beneath = outcome_.beneath(f); beneath.valid())
+      return drawn + limits_.max_relative * std::max(length, outcome_.input_edge_length(beneath));
+    return std::max(limits_.max_relative * length, drawn);
   }
 
   [[nodiscard]] std::vector<Sample> all_samples() const {
@@ -125,17 +138,20 @@ class Measure {
     const MeasuredSurface& reference = references_[outcome_.final_complex.component[f.value]];
     if (reference.empty()) return;
     const double length = outcome_.input_edge_length(f);
+    const double most = allowed(f);
     const double known = std::min(worst.figures.max_distance, worst.figures.max_distance_relative * length);
-    if (reference.is_within(p, std::max(known, limits_.negligible * length))) return;
+    if (reference.is_within(p, std::max(std::min(known, most), limits_.negligible * length))) return;
     const double d = reference.distance(p);
-    Worst own{{}, f};
+    Worst own;
     own.figures.max_distance = d, own.figures.max_distance_relative = d / length, own.figures.at = p;
+    if (d > most) own.beyond = {f, d, (d - most) / length};
     worst.add(own);
   }
 
   const Outcome& outcome_;
   const Tolerance& tolerance_;
   const FidelityLimits& limits_;
+  std::size_t gaps_ = 1;  // over each other
   /// By component: its faces that were removed, as they were and as their moved nodes have stretched them.
   std::vector<MeasuredSurface> references_;
 };

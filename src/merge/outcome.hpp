@@ -1,6 +1,7 @@
 // Everything that is known of a merge once it is stitched; what the checks and summaries look at.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct Outcome {
   const Labels& labels;
   const Dropped& dropped;
   bool all_layers = false;  // of faces stay, on the same nodes, where inputs lie on each other
+  /// LaidOut::beneath: of the last faces of the final complex.
+  std::span<const FaceId> beneath_last = {};
   OperationKind kind = OperationKind::kMerge;
   /// By vertex of the final complex: 1 where a face changed or was removed. Whatever changed has all
   /// its corners marked.
@@ -44,6 +47,11 @@ struct Outcome {
   [[nodiscard]] double input_edge_length(FaceId f) const;
   /// Place of a vertex of the workpiece, nodes having been moved to close gaps.
   [[nodiscard]] Vec3 moved(VertexId original_vertex) const { return places.of(original.node[original_vertex.value]); }
+  /// The face on whose nodes a face was laid as a further layer; invalid if it is none.
+  [[nodiscard]] FaceId beneath(FaceId f) const {
+    const std::size_t first = final_complex.n_faces() - beneath_last.size();
+    return f.value < first ? FaceId() : beneath_last[f.value - first];
+  }
   /// Label in the merged model.
   [[nodiscard]] std::int64_t label(FaceId f) const;
   /// "new element 57 at (1, 2, 0.5)", the place being the centroid.

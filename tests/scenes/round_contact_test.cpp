@@ -56,6 +56,52 @@ TEST(Tubes, OfFewSidesMayChangeTheirAreaByTheAngleOfTheirFacets) {
   }
 }
 
+/// A vessel, and a pad with facets of its own at a distance of more than half an edge. The facets of the vessel bulge
+/// by up to half a unit; its new faces are as far again from them.
+struct SaddlePad {
+  double vessel_size, pad_radius, pad_size;
+};
+
+void expect_pad_joined(const SaddlePad& scene, Overlap overlap) {
+  constexpr double kRadius = 100, kLength = 200, kHalfAngle = 0.6, kWidth = 90;
+  const auto n = [](double length, double size) { return static_cast<std::size_t>(std::lround(length / size)); };
+  const auto around = [](double r, double a, double z) { return Vec3{r * std::cos(a), r * std::sin(a), z}; };
+  scenes::Surface vessel, pad;
+  vessel.at = [=](double u, double v) { return around(kRadius, 2 * std::numbers::pi * u, kLength * v); };
+  vessel.nu = n(2 * std::numbers::pi * kRadius, scene.vessel_size), vessel.nv = n(kLength, scene.vessel_size);
+  vessel.closed_u = true, vessel.group = "VESSEL";
+  pad.at = [=](double u, double v) {
+    return around(scene.pad_radius, kHalfAngle * (2 * u - 1) + 0.03, 57 + kWidth * v);
+  };
+  pad.nu = n(2 * kHalfAngle * scene.pad_radius, scene.pad_size), pad.nv = n(kWidth, scene.pad_size);
+  pad.group = "PAD";
+  const Model base = scenes::surface(vessel), part = scenes::surface(pad);
+  MergeOptions options;
+  options.tolerance = {std::abs(scene.pad_radius - kRadius) + 1, false}, options.overlap = overlap;
+  const auto merged = merge(base, std::span(&part, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  EXPECT_GE(merged->report.quality.min, 0.5);
+  const double gap = std::abs(scene.pad_radius - kRadius);
+  if (overlap == Overlap::kProject) {
+    EXPECT_GE(merged->report.fidelity->max_distance, 0.9 * gap);
+  }
+  const auto after = scenes::area_by_group(apply(base, std::span(&part, 1), *merged));
+  const double of_pad = 2 * kHalfAngle * kWidth * (overlap == Overlap::kKeepPart ? scene.pad_radius : kRadius);
+  EXPECT_NEAR(after.at("PAD"), of_pad, 0.01 * of_pad);
+}
+
+TEST(SaddlePads, AtADistanceAreJoinedWhateverTheSizesOfTheirFacets) {
+  for (const SaddlePad& scene :
+       {SaddlePad{10, 106, 10}, SaddlePad{10, 94, 10}, SaddlePad{20, 103, 10}, SaddlePad{20, 106, 10},
+        SaddlePad{20, 106, 5}, SaddlePad{10, 106, 20}, SaddlePad{10, 94, 20}, SaddlePad{10, 106, 40}})
+    for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject}) {
+      SCOPED_TRACE(testing::Message() << scene.vessel_size << ", " << scene.pad_radius << ", " << scene.pad_size
+                                      << (overlap == Overlap::kFuse ? " fused" : " projected"));
+      expect_pad_joined(scene, overlap);
+    }
+}
+
 /// Two plates with walls around a common hole, which one divides into 6 and the other into 10, or both into 16. Facets
 /// of a round wall are turned from row to row, so that they lean over those of the other wall.
 TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
