@@ -16,7 +16,7 @@ namespace {
 constexpr double kBeside = 0.1;          // of the edge length: largest shift along a surface
 constexpr double kMost = 0.5;            // share of a common area within the gap from which faces lie on each other
 constexpr double kNoArea = 1e-6;         // share of the smaller face below which a common area is none
-constexpr double kLeaning = 0.3;         // of the height: how far beside a border a point may be that lies above it
+constexpr double kLeaning = 0.3;         // of the height: how far beside a border what lies above it may be at most
 constexpr double kLeans = 0.93;          // cosine of the angle from which a face leans over another
 constexpr double kFlatter = 0.05;        // by this cosine more a face lies clearly flatter on another
 constexpr double kFoldedOver = 0.05;     // share of the smaller face from which one lies over the other
@@ -291,9 +291,12 @@ Cover::Foot Cover::foot(Vec3 p) const {
 bool Cover::covers(Vec3 p, Vec3 unit_normal, const ContactRule& rule) const {
   if (empty()) return false;
   const Foot at = foot(p);
-  const double size = size_[at.face], off = rule.weld(size) + kLeaning * std::abs(at.height);
-  return std::abs(at.height) <= rule.gap(size) && (!at.on_border || at.beside <= off) &&
-         rule.is_flat(unit_normal, unit_normal_[at.face]);
+  const Vec3 n = unit_normal_[at.face];
+  if (!rule.is_flat(unit_normal, n)) return false;
+  // Along the normal of the one or of the other: the two feet are as far apart as the faces lean.
+  const double leaning = std::min(norm(cross(unit_normal, n)) / std::abs(dot(unit_normal, n)), kLeaning);
+  const double size = size_[at.face], off = rule.weld(size) + leaning * std::abs(at.height);
+  return std::abs(at.height) <= rule.gap(size) && (!at.on_border || at.beside <= off);
 }
 
 }  // namespace meshgraft

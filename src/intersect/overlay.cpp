@@ -53,8 +53,8 @@ class Overlayer {
         find_contacts(complex_, sides_.faces[0], sides_.faces[1], marks_.size, rule_, marks_.reach, unbent_);
     if (std::find(contacts.on_each_other.begin(), contacts.on_each_other.end(), 1) == contacts.on_each_other.end())
       return Overlaid{};
-    if (auto fault = find_two_layers(complex_, contacts)) return failed(std::move(*fault));
-    out_.behind = take_out_behind(complex_, contacts);
+    if (auto fault = find_two_layers(complex_, unbent_, contacts)) return failed(std::move(*fault));
+    out_.behind = take_out_behind(complex_, unbent_, contacts);
     component_before_ = complex_.component;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],

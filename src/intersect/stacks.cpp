@@ -14,7 +14,8 @@ namespace meshgraft {
 namespace {
 
 /// Pairs of components that lie over one face of the second side, ascending.
-std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex, const Contacts& contacts) {
+std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex, std::span<const Triangle> lying_at,
+                                                          const Contacts& contacts) {
   std::map<FaceId, std::vector<FaceId>> on;  // by face of the second side
   for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
     if (contacts.on_each_other[i] != 0) on[contacts.pairs[i][1]].push_back(contacts.pairs[i][0]);
@@ -23,7 +24,7 @@ std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const std::uint32_t a = complex.component[faces[i].value], b = complex.component[faces[j].value];
-        if (a != b && have_common_area(complex.corners(faces[i]), complex.corners(faces[j])))
+        if (a != b && have_common_area(lying_at[faces[i].value], lying_at[faces[j].value]))
           pairs.push_back({std::min(a, b), std::max(a, b)});
       }
   make_distinct(pairs);
@@ -35,15 +36,15 @@ bool are_neighbours(const Complex& complex, FaceId f, FaceId g) {
   return std::ranges::find_first_of(v, w) != v.end();
 }
 
-bool lie_over_each_other(const Complex& complex, FaceId f, FaceId g) {
+bool lie_over_each_other(const Triangle& t, const Triangle& u) {
   constexpr double kShare = 0.05;  // of the smaller area; facets of one curved surface have less in common
-  const Triangle t = complex.corners(f), u = complex.corners(g);
   return area_of(part_over(u, t, 0)) > kShare * std::min(area(t), area(u));
 }
 
 }  // namespace
 
-std::optional<JunctionFault> find_two_layers(const Complex& complex, const Contacts& contacts) {
+std::optional<JunctionFault> find_two_layers(const Complex& complex, std::span<const Triangle> lying_at,
+                                             const Contacts& contacts) {
   for (const std::size_t s : {0, 1}) {
     std::map<FaceId, std::vector<FaceId>> on;  // by face of the other side
     for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
@@ -53,10 +54,10 @@ std::optional<JunctionFault> find_two_layers(const Complex& complex, const Conta
         for (std::size_t j = 0; j < i; ++j) {
           const FaceId a = faces[j], b = faces[i];
           if (complex.component[a.value] != complex.component[b.value] || are_neighbours(complex, a, b) ||
-              !lie_over_each_other(complex, a, b))
+              !lie_over_each_other(lying_at[a.value], lying_at[b.value]))
             continue;
-          const double apart = distance(centroid(complex.corners(b)),
-                                        closest_on_triangle(centroid(complex.corners(b)), complex.corners(a)).point);
+          const Vec3 middle = centroid(lying_at[b.value]);
+          const double apart = distance(middle, closest_on_triangle(middle, lying_at[a.value]).point);
           return JunctionFault{ErrorCode::kOverlap,
                                "two layers of one mesh, " + text_of(apart) + " apart, lie on one face of another",
                                {complex.parent[a.value], complex.parent[b.value], complex.parent[g.value]},
@@ -69,9 +70,10 @@ std::optional<JunctionFault> find_two_layers(const Complex& complex, const Conta
   return std::nullopt;
 }
 
-std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts) {
+std::vector<std::uint32_t> take_out_behind(const Complex& complex, std::span<const Triangle> lying_at,
+                                           Contacts& contacts) {
   std::vector<std::uint32_t> behind;
-  for (const auto& [first, second] : over_each_other(complex, contacts))
+  for (const auto& [first, second] : over_each_other(complex, lying_at, contacts))
     if (!std::ranges::binary_search(behind, first)) {
       behind.push_back(second);
       make_distinct(behind);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "intersect/lying.hpp"
@@ -11,11 +12,15 @@ namespace meshgraft {
 /// Where faces of several components of the first side lie over one face of the second (a plate between two
 /// others), the second can be laid on one of them only. Takes the contacts with the others out.
 ///   returns   their components, ascending: the largest, as what was laid on the first comes between
-[[nodiscard]] std::vector<std::uint32_t> take_out_behind(const Complex& complex, Contacts& contacts);
+///
+///   lying_at  by face, its corners as contact is told by them, see find_contacts()
+[[nodiscard]] std::vector<std::uint32_t> take_out_behind(const Complex& complex, std::span<const Triangle> lying_at,
+                                                         Contacts& contacts);
 
 /// Faces of one component, not neighbours, that lie over each other on one face of the other side, as those of a
 /// U-profile over the edge of a plate: the plate cannot be one with both.
-[[nodiscard]] std::optional<JunctionFault> find_two_layers(const Complex& complex, const Contacts& contacts);
+[[nodiscard]] std::optional<JunctionFault> find_two_layers(const Complex& complex, std::span<const Triangle> lying_at,
+                                                           const Contacts& contacts);
 
 /// Draws the side that goes towards the one that stays by what lay between them (Reach), where they are in contact: in
 /// its chart, not in the complex. Where some of it is bent there, all of it is drawn onto the other from where it lay

@@ -102,6 +102,14 @@ TEST(SaddlePads, AtADistanceAreJoinedWhateverTheSizesOfTheirFacets) {
     }
 }
 
+/// Strips of the vessel beside the border of the pad went with what lay beneath it, and nothing was left to join.
+TEST(SaddlePads, AtMoreThanAnEdgeMayReplaceWhatIsBeneathThem) {
+  for (const SaddlePad& scene : {SaddlePad{5, 106, 10}, SaddlePad{10, 106, 10}, SaddlePad{20, 106, 10}}) {
+    SCOPED_TRACE(testing::Message() << scene.vessel_size);
+    expect_pad_joined(scene, Overlap::kKeepPart);
+  }
+}
+
 /// Two plates with walls around a common hole, which one divides into 6 and the other into 10, or both into 16. Facets
 /// of a round wall are turned from row to row, so that they lean over those of the other wall.
 TEST(FusedContact, WallsOfAHoleThatAbutAreNoContact) {
