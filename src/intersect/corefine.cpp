@@ -64,7 +64,9 @@ class Corefiner {
       if (const NodeRef node = complex_.node[v.value]; node.valid())
         out_.moves.push_back({node, v, complex_.position[v.value], to});
       assembly_.move(v, to);
+      rims_.push_back(v);
     }
+    make_distinct(rims_);
     bends_ = rims.extensions.bends;
     has_drawn_rims_ = !rims.extensions.moved.empty();
     std::vector<std::uint32_t> rank = ranks(rank_.size(), rims.ends);
@@ -87,6 +89,13 @@ class Corefiner {
     return std::nullopt;
   }
 
+  [[nodiscard]] std::vector<VertexId> rims_in(const CutOut& part) const {
+    std::vector<VertexId> rims;
+    for (std::size_t v = 0; v < part.vertex.size(); ++v)
+      if (std::ranges::binary_search(rims_, part.vertex[v])) rims.emplace_back(v);
+    return rims;
+  }
+
   /// Joins a component to all earlier ones, in what is around the places where they are near.
   std::optional<JunctionFault> join_one(std::uint32_t component) {
     const NearFaces& near = near_[component];
@@ -95,7 +104,7 @@ class Corefiner {
     std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
-    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, rank_};
+    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, rims_in(before), rank_};
     if (auto fault = join(joining, component, largest_, groups_, options_)) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
@@ -151,6 +160,7 @@ class Corefiner {
   Assembly assembly_;
   Corefined out_;
   bool has_drawn_rims_ = false;
+  std::vector<VertexId> rims_;   // ends that were drawn, ascending
   std::vector<VertexId> bends_;  // of rims, see Extensions
 };
 

@@ -75,7 +75,7 @@ class Joiner {
   /// Where the sides lie on each other, one layer is taken out. `exact` follows the faces.
   std::optional<ImprintFault> lay_over(std::vector<std::uint8_t>& exact) {
     std::vector<std::uint32_t> behind;
-    if (auto fault = lay_over({active_faces(), owners(component_)}, exact, behind)) return fault;
+    if (auto fault = lay_over({active_faces(), owners(component_), joining_.rims}, exact, behind)) return fault;
     // The component lay between others: those go where it went.
     while (!behind.empty()) {
       const std::uint32_t next = behind.front();
@@ -100,7 +100,7 @@ class Joiner {
                                      std::vector<std::uint32_t>& behind) {
     const auto [low, high] = std::minmax(a, b);
     if (low == high || !complex_.joins.are_joined(low, high)) return std::nullopt;
-    Sides sides{{}, owners(high)};
+    Sides sides{{}, owners(high), joining_.rims};
     for (std::size_t f = 0; f < complex_.n_faces(); ++f)
       if (const std::uint32_t c = complex_.component[f]; c == low || c == high)
         sides.faces[c == high].push_back(FaceId(f));

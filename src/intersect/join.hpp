@@ -20,6 +20,7 @@ struct Joining {
   std::vector<Corefined::HalfReached> half_reached;
   std::vector<Corefined::JoinedSeam> joined_seams;
   std::vector<Corefined::Covered> covered;
+  std::vector<VertexId> rims{};           // see Sides
   std::span<const std::uint32_t> rank{};  // by component: its place in the order in which they are joined
 };
 

@@ -192,7 +192,9 @@ class Declarer {
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);
       const Vec3 flat = l_.at(s, v) - dot(n, l_.at(s, v) - a) * n;
       const SegmentPoint c = closest_on_segment(flat, a, b);
-      const double limit = to_border && ends_on_lines(o, e) ? kChord * beside : beside;
+      double limit = to_border && ends_on_lines(o, e) ? kChord * beside : beside;
+      if (may_slide && other.is_feature_edge(e) && std::ranges::binary_search(l_.rims, v))
+        limit = std::max(limit, l_.rule.snap.at(size).feature);
       if (c.t > 0 && c.t < 1 && offset(c.point) <= limit)
         spots.push_back({v, 1, offset(c.point), e, c.t, c.point, slid(c.point)});
     }

@@ -43,6 +43,10 @@ struct LyingMeeting {
   std::vector<std::array<VertexId, 2>> walls;
   std::array<std::vector<Imprint::Segment>, 2> segments;
 
+  /// Of Sides. They end on a mesh that goes through both sides, and go along it to where it meets the other side: where
+  /// that curves, not straight across.
+  std::span<const VertexId> rims{};
+
   [[nodiscard]] std::size_t goes() const { return 1 - stays; }
   [[nodiscard]] Vec3 at(std::size_t s, VertexId v) const { return meeting.chart[s][v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const {

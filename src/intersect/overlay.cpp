@@ -74,6 +74,7 @@ class Overlayer {
                    {},
                    {},
                    {}};
+    l.rims = sides_.rims;
     set_up(l, contacts);
     find_imprinted(l);
     declare_lying(l);

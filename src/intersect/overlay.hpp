@@ -15,6 +15,7 @@ namespace meshgraft {
 struct Sides {
   std::array<std::vector<FaceId>, 2> faces;
   std::array<std::vector<std::uint8_t>, 2> own;
+  std::span<const VertexId> rims{};  // ends on third meshes that have been drawn there, ascending; see find_rims()
 };
 
 struct Overlaid {

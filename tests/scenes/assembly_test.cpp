@@ -69,6 +69,22 @@ TEST(Assembly, APadEndsOnThePipeThroughItAndTheWall) {
     }
 }
 
+/// A vessel, a nozzle through it, and a saddle pad around that, half of both plates off.
+TEST(Assembly, ASaddlePadEndsOnTheNozzleThroughIt) {
+  const Model vessel = scenes::cylinder({-200, 0, 0}, {200, 0, 0}, 100, 10, "VESSEL");
+  const Model nozzle = scenes::cylinder({0, 0, 60}, {0, 0, 180}, kRadius, 9, "NOZZLE");
+  const auto on_saddle = [](double u, double v) {
+    const double a = 2 * std::numbers::pi * u + 0.1, r = std::lerp(kRadius, 57, v), y = r * std::sin(a);
+    return Vec3{r * std::cos(a), y, std::sqrt(106.0 * 106.0 - y * y)};
+  };
+  const Model saddle = scenes::surface({on_saddle, 24, 3, true, false, 0, 1, "PAD"});
+  MergeOptions options;
+  options.tolerance = {6.5, false};
+  expect_joined(vessel, std::array{nozzle, saddle}, options);
+  expect_joined(vessel, std::array{saddle, nozzle}, options);
+  expect_joined(nozzle, std::array{vessel, saddle}, options);
+}
+
 /// Each node of the rim moves along the pad, and on to a node of the pipe that is within a tenth of the edge length.
 TEST(Assembly, TheRimMovesAlongThePadAndNoFartherThanATenthOfTheEdgeLength) {
   const std::array parts{pipe(-60), pad(28, 0)};
