@@ -9,6 +9,7 @@
 #include "intersect/assembly.hpp"
 #include "intersect/component_pairs.hpp"
 #include "intersect/join.hpp"
+#include "intersect/laying.hpp"
 #include "intersect/rims.hpp"
 #include "intersect/shared.hpp"
 #include "intersect/thin_parts.hpp"
@@ -105,7 +106,7 @@ class Corefiner {
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
     Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, rims_in(before), rank_};
-    if (auto fault = join(joining, component, largest_, groups_, options_)) return fault;
+    if (auto fault = join(joining, component, largest_, groups_, options_, [&] { return advice(); })) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
       if (const NodeRef node = joining.complex.node[v.value]; node.valid())
@@ -118,6 +119,14 @@ class Corefiner {
     out_.half_reached.insert(out_.half_reached.end(), joining.half_reached.begin(), joining.half_reached.end());
     out_.left_open.insert(out_.left_open.end(), joining.left_open.begin(), joining.left_open.end());
     return std::nullopt;
+  }
+
+  /// One for all components: what the next ones need is told at once.
+  [[nodiscard]] std::optional<std::string> advice() const {
+    std::vector<std::array<std::vector<FaceId>, 2>> sides;
+    for (const NearFaces& near : near_)
+      if (!near.own.empty()) sides.push_back({near.earlier, near.own});
+    return laying_advice(complex_, sides, size_, SnapRule(largest_, options_, true), options_);
   }
 
   /// Call only once all are known, ascending.

@@ -24,14 +24,16 @@ constexpr int kMaxAttempts = 16;  // faces at which gaps are given up, per compo
 
 class Joiner {
  public:
-  Joiner(Joining& joining, std::uint32_t component, double largest, GroupSets& groups, const CorefineOptions& options)
+  Joiner(Joining& joining, std::uint32_t component, double largest, GroupSets& groups, const CorefineOptions& options,
+         const std::function<std::optional<std::string>()>& advice)
       : joining_(joining),
         complex_(joining.complex),
         marks_(joining.marks),
         component_(component),
         largest_(largest),
         groups_(groups),
-        options_(options) {}
+        options_(options),
+        advice_(advice) {}
 
   /// Where details smaller than the tolerance make a face impossible to cut along what was declared on
   /// it, the gaps at that face are left as they are, and then those at the faces around it.
@@ -67,7 +69,7 @@ class Joiner {
       if (options_.leaves_pockets) return std::nullopt;
       const std::vector<Pocket> pockets = find_pockets(complex_, active_faces(), marks_.size);
       if (pockets.empty()) return std::nullopt;
-      return ImprintFault{pocket_fault(complex_, marks_.size, pockets.front()), {}};
+      return ImprintFault{with_advice(pocket_fault(complex_, marks_.size, pockets.front())), {}};
     }
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }
@@ -195,7 +197,8 @@ class Joiner {
     if (!imprint) {
       // In the first round the inputs overlap; later it is something that bending has made.
       const FaceId g = m.side[1].face(imprint.error().faces[1]);
-      return ImprintFault{overlap_fault(m, imprint.error().faces), round == 0 ? FaceId{} : marks_.from[g.value]};
+      JunctionFault fault = with_advice(overlap_fault(m, imprint.error().faces));
+      return ImprintFault{std::move(fault), round == 0 ? FaceId{} : marks_.from[g.value]};
     }
     if (auto fault = find_flat_face(m, *imprint)) return fault;
     if (auto fault = apply(m, *imprint, marks_)) {
@@ -257,6 +260,16 @@ class Joiner {
     return own;
   }
 
+  /// Of surfaces that cross where they may be meant to be one.
+  [[nodiscard]] JunctionFault with_advice(JunctionFault fault) const {
+    if (options_.mode == Mode::kFaceEdge) return fault;
+    auto advice = advice_();
+    if (!advice) return fault;
+    if (!fault.hint.empty()) *advice += "; else " + fault.hint;
+    fault.hint = std::move(*advice);
+    return fault;
+  }
+
   /// The meshes meet elsewhere than where they lie on each other.
   static JunctionFault other_meeting(const Meeting& m) {
     const FacePair& p = m.pairs.front();
@@ -307,6 +320,7 @@ class Joiner {
   double largest_;
   GroupSets& groups_;
   const CorefineOptions& options_;
+  const std::function<std::optional<std::string>()>& advice_;
   std::map<VertexId, Vec3> moved_from_;
   std::vector<VertexId> bends_, half_reached_;  // see Extensions
   bool settled_ = false;
@@ -315,8 +329,9 @@ class Joiner {
 }  // namespace
 
 std::optional<JunctionFault> join(Joining& joining, std::uint32_t component, double largest, GroupSets& groups,
-                                  const CorefineOptions& options) {
-  return Joiner(joining, component, largest, groups, options).run();
+                                  const CorefineOptions& options,
+                                  const std::function<std::optional<std::string>()>& advice) {
+  return Joiner(joining, component, largest, groups, options, advice).run();
 }
 
 }  // namespace meshgraft

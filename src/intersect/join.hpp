@@ -1,8 +1,10 @@
 // Joins one component of a complex to the earlier ones.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,8 +28,10 @@ struct Joining {
 
 /// Imprints a component and those before it that it is joined to on each other; see corefine().
 /// `largest`: the largest coordinate of the whole model, by magnitude; what rounding costs follows
-/// from it. On a fault the Joining is left half done.
+/// from it. `advice`: what to say of surfaces that cross where they may be meant to be one; asked for at a fault. On a
+/// fault the Joining is left half done.
 [[nodiscard]] std::optional<JunctionFault> join(Joining& joining, std::uint32_t component, double largest,
-                                                GroupSets& groups, const CorefineOptions& options);
+                                                GroupSets& groups, const CorefineOptions& options,
+                                                const std::function<std::optional<std::string>()>& advice);
 
 }  // namespace meshgraft

@@ -97,5 +97,27 @@ TEST(CoarseContact, ABoltOfFourSidesIsOneWithTheWallOfItsHole) {
   expect_merged(drilled_plate(), wall({-4, 3, 9, 16, 23, 30}, "BOLT"));
 }
 
+/// The length or angle after an option in a hint.
+double advised(const std::string& hint, const std::string& option) {
+  return std::stod(hint.substr(hint.find(option) + option.size()));
+}
+
+TEST(CoarseContact, TheOptionsThatARefusalNamesMakeOneOfBoth) {
+  for (const double turned : {0.0, radians(20)}) {
+    const Model base = drilled_plate(), part = wall({-4, 4.5, 13, 21.5, 30}, "BOLT", turned);
+    MergeOptions options;
+    const auto refused = merge(base, std::span(&part, 1), options);
+    ASSERT_FALSE(refused.has_value());
+    const std::string hint = refused.error().hint;
+    ASSERT_NE(hint.find("--tolerance"), std::string::npos) << hint;
+    options.tolerance = {advised(hint, "--tolerance "), false};
+    options.contact_angle = radians(advised(hint, "--angle "));
+    const auto merged = merge(base, std::span(&part, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    scenes::expect_sound(apply(base, std::span(&part, 1), *merged));
+  }
+}
+
 }  // namespace
 }  // namespace meshgraft
