@@ -47,8 +47,9 @@ std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& face
 std::string hint_for(const BadFace* bad, OperationKind kind, bool keeps) {
   using enum Cause::Kind;
   if (kind == OperationKind::kFill) return "give another --size or --blend, a smaller --min-quality, or --allow-poor";
+  // Nodes that are kept are where they are, whatever the size and the width of the zone beside them.
   const std::string others =
-      keeps ? "--overlap fuse, which remeshes the side that is kept too, another --size or " : "another --size or ";
+      keeps ? "--overlap fuse, which remeshes the side that is kept too" : "another --size or --bandwidth";
   const bool between_lines = bad != nullptr && (bad->cause.kind == kStrip || bad->cause.kind == kFixedNodes ||
                                                 bad->cause.kind == kInputDetail);
   if (between_lines && kind == OperationKind::kCut)
@@ -57,8 +58,8 @@ std::string hint_for(const BadFace* bad, OperationKind kind, bool keeps) {
   if (between_lines)
     return "where two lines are meant to be one, give a larger --tolerance, or --trim beyond=LENGTH for what sticks "
            "out; else " +
-           others + "--bandwidth, a smaller --min-quality, or --allow-poor";
-  return "give " + others + "--bandwidth, a smaller --min-quality, or --allow-poor";
+           others + ", a smaller --min-quality, or --allow-poor";
+  return "give " + others + ", a smaller --min-quality, or --allow-poor";
 }
 
 }  // namespace

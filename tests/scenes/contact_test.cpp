@@ -296,6 +296,7 @@ TEST(KeptContact, WhereTheKeptNodesLeaveNoGoodFacesTheOtherWayIsNamed) {
   ASSERT_FALSE(kept->report.broken_promises.empty());
   EXPECT_NE(kept->report.broken_promises[0].hint.find("--overlap fuse"), std::string::npos)
       << to_string(kept->report.broken_promises[0]);
+  EXPECT_EQ(kept->report.broken_promises[0].hint.find("--size"), std::string::npos);
   EXPECT_TRUE(fused->report.broken_promises.empty()) << scenes::first_problem(fused->report);
 }
 
