@@ -43,18 +43,15 @@ class Corefiner {
         near_(near_faces(complex, size_, SnapRule(largest_, options, true), rank_)),
         assembly_(complex, size_) {}
 
-  /// `draws_rims`: where parts lie on others and end on third meshes, they are drawn onto those first.
-  tl::expected<Corefined, JunctionFault> run(bool draws_rims) {
+  tl::expected<Corefined, JunctionFault> run() {
     if (auto fault = find_thin_parts()) return tl::unexpected(std::move(*fault));
-    if (draws_rims) draw_rims();
+    if (options_.ends_on_borders) draw_rims();
     std::vector<std::uint32_t> order(rank_.size());
     for (std::uint32_t component = 0; component < order.size(); ++component) order[rank_[component]] = component;
     for (const std::uint32_t component : order)
       if (auto fault = join_one(component)) return tl::unexpected(std::move(*fault));
     return result();
   }
-
-  [[nodiscard]] bool has_drawn_rims() const { return has_drawn_rims_; }
 
  private:
   void draw_rims() {
@@ -69,7 +66,6 @@ class Corefiner {
     }
     make_distinct(rims_);
     bends_ = rims.extensions.bends;
-    has_drawn_rims_ = !rims.extensions.moved.empty();
     std::vector<std::uint32_t> rank = ranks(rank_.size(), rims.ends);
     if (rank == rank_) return;
     rank_ = std::move(rank);
@@ -168,7 +164,6 @@ class Corefiner {
   std::vector<NearFaces> near_;      // by component
   Assembly assembly_;
   Corefined out_;
-  bool has_drawn_rims_ = false;
   std::vector<VertexId> rims_;   // ends that were drawn, ascending
   std::vector<VertexId> bends_;  // of rims, see Extensions
 };
@@ -177,10 +172,11 @@ class Corefiner {
 
 tl::expected<Corefined, JunctionFault> corefine(const Complex& complex, GroupSets& groups,
                                                 const CorefineOptions& options) {
-  Corefiner corefiner(complex, groups, options);
-  auto corefined = corefiner.run(true);
-  if (corefined || !corefiner.has_drawn_rims()) return corefined;
-  auto as_they_are = Corefiner(complex, groups, options).run(false);
+  auto corefined = Corefiner(complex, groups, options).run();
+  if (corefined || !options.ends_on_borders) return corefined;
+  CorefineOptions without = options;
+  without.ends_on_borders = false;
+  auto as_they_are = Corefiner(complex, groups, without).run();
   return as_they_are ? std::move(as_they_are) : std::move(corefined);
 }
 

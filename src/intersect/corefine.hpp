@@ -27,6 +27,9 @@ struct CorefineOptions {
   double sharp_angle = radians(30);
   /// Pockets (see find_pockets()) are imprinted like all else, and no fault.
   bool leaves_pockets = false;
+  /// What lies on another mesh ends on what goes through both: its rims are drawn onto a third mesh before anything is
+  /// joined, and its border is a line that others end on. Where that cannot be imprinted, it is tried without.
+  bool ends_on_borders = true;
 };
 
 /// The complex after all components have been imprinted on each other.

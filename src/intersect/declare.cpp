@@ -189,7 +189,8 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
     Symbol symbol{l.vertex, {}};
     symbol.on[s] = vertex(l.vertex);
     symbol.on[1 - s] = {kind, l.on, l.t};
-    if (l.is_gap && !(s == 0 && kind == Carrier::kEdge) && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
+    const bool is_border = m.ends_on_borders && s == 0 && kind == Carrier::kEdge;
+    if (l.is_gap && !is_border && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
     if (const auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point))
       if (seams.close(s, l.vertex, *other)) continue;
     m.has_closed_gap |= l.is_gap;

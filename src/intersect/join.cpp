@@ -179,7 +179,9 @@ class Joiner {
     settled_ = pairs.empty();
     if (settled_) return std::nullopt;
     const std::array<std::vector<std::uint8_t>, 2> own = owners(component_);
-    Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1], options_.sharp_angle);
+    Meeting m = make_meeting(complex_, groups_, marks_.size, exact, rule, pairs, own[0], own[1],
+                             {options_.sharp_angle, options_.ends_on_borders});
+    m.ends_on_borders = options_.ends_on_borders;
     m.half_reached = half_reached_;
     declare_vertices(m);
     declare_edges(m);

@@ -184,8 +184,8 @@ class Declarer {
       if (to_vertex && offset(l_.at(o, x)) <= beside)
         spots.push_back({v, 0, offset(l_.at(o, x)), x.value, 0, l_.at(o, x), slid(l_.at(o, x))});
       const LocalEdge e = other.edges(g)[k];
-      const bool to_border =
-          !may_slide && m_.side[s].is_feature(v) && l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
+      const bool to_border = !l_.rims.empty() && !may_slide && m_.side[s].is_feature(v) &&
+                             l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
       const bool to_edge = (is_feature && other.is_feature_edge(e)) || to_border ||
                            (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
       if (!to_edge) continue;

@@ -176,29 +176,29 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
 Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
                      std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
-                     std::span<const std::uint8_t> is_second, double sharp_angle,
+                     std::span<const std::uint8_t> is_second, const FeatureRule& features,
                      const std::array<std::vector<FaceId>, 2>& beside) {
   std::array<std::vector<FaceId>, 2> faces = beside;
   for (const std::size_t s : kSides) {
     for (const auto& p : pairs) faces[s].push_back(p[s]);
     make_distinct(faces[s]);
   }
-  Meeting m{complex,
-            groups,
-            size,
-            exact,
-            rule,
-            {Side(complex, std::move(faces[0]), is_first, sharp_angle),
-             Side(complex, std::move(faces[1]), is_second, sharp_angle)},
-            {},
-            {},
-            {},
-            {},
-            {},
-            {},
-            {},
-            {},
-            {}};
+  Meeting m{
+      complex,
+      groups,
+      size,
+      exact,
+      rule,
+      {Side(complex, std::move(faces[0]), is_first, features), Side(complex, std::move(faces[1]), is_second, features)},
+      {},
+      {},
+      {},
+      {},
+      {},
+      {},
+      {},
+      {},
+      {}};
   m.pairs.reserve(pairs.size());
   for (const auto& [f, g] : pairs) m.pairs.push_back({m.side[0].find(f), m.side[1].find(g)});
   for (const std::size_t s : kSides) m.symbol_of[s].assign(complex.n_vertices(), kNowhere);

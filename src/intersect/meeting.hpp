@@ -104,8 +104,9 @@ struct Meeting {
   /// Vertices with a free edge along the other side that is beyond the tolerance at its other end: only another edge
   /// makes them end there.
   std::span<const VertexId> half_reached{};
-  EndingFeatures ending{};  // within the snap length; set by declare_vertices()
-  SeamWidths seams_of{};    // set by declare_vertices()
+  bool ends_on_borders = false;  // see CorefineOptions
+  EndingFeatures ending{};       // within the snap length; set by declare_vertices()
+  SeamWidths seams_of{};         // set by declare_vertices()
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
@@ -157,7 +158,7 @@ std::vector<std::array<FaceId, 2>> near_pairs(const Complex& complex, std::span<
 Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double> size,
                      std::span<const std::uint8_t> exact, const SnapRule& rule,
                      std::span<const std::array<FaceId, 2>> pairs, std::span<const std::uint8_t> is_first,
-                     std::span<const std::uint8_t> is_second, double sharp_angle,
+                     std::span<const std::uint8_t> is_second, const FeatureRule& features,
                      const std::array<std::vector<FaceId>, 2>& beside = {});
 
 /// `within`: which length counts as near. Cost: one pass over the pairs.

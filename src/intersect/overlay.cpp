@@ -58,7 +58,7 @@ class Overlayer {
     component_before_ = complex_.component;
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
-                                sides_.own[1], fold_angle(), faces_beside(contacts)),
+                                sides_.own[1], {fold_angle(), rule_.options.ends_on_borders}, faces_beside(contacts)),
                    rule_,
                    rule_.options.overlap == Overlap::kKeepPart ? 1u : 0u,
                    takes_over(),

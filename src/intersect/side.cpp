@@ -25,24 +25,24 @@ bool is_sharp(const Complex& complex, const Use& a, const Use& b, double sharp_a
   return dot(n, m) < std::cos(sharp_angle);
 }
 
-bool is_feature_edge(const Complex& complex, std::span<const Use> uses, double sharp_angle) {
+bool is_feature_edge(const Complex& complex, std::span<const Use> uses, const FeatureRule& rule) {
   const auto frozen = [&](std::uint64_t v) { return complex.state[v & 0xFFFFFFFF] == VertexState::kFrozen; };
   if (frozen(uses[0].edge >> 32) && frozen(uses[0].edge)) return false;  // its other faces may be missing
-  if (uses.size() != 2 || is_sharp(complex, uses[0], uses[1], sharp_angle)) return true;
-  return !complex.layers.empty() && !complex.are_of_the_same(uses[0].face, uses[1].face);
+  if (uses.size() != 2 || is_sharp(complex, uses[0], uses[1], rule.sharp_angle)) return true;
+  return rule.borders_of_layers && !complex.layers.empty() && !complex.are_of_the_same(uses[0].face, uses[1].face);
 }
 
 }  // namespace
 
-Side::Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, double sharp_angle)
+Side::Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, const FeatureRule& rule)
     : faces_(std::move(near)), vertex_feature_(complex.n_vertices()), vertex_corner_(complex.n_vertices()) {
   corners_.reserve(faces_.size());
   for (const FaceId f : faces_) corners_.push_back(complex.face[f.value]);
-  find_edges(complex, own, sharp_angle);
+  find_edges(complex, own, rule);
   find_faces_at_vertices(complex.n_vertices());
 }
 
-void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own, double sharp_angle) {
+void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own, const FeatureRule& rule) {
   std::vector<std::uint8_t> marked(complex.n_vertices());
   for (const auto& corners : corners_)
     for (const VertexId v : corners) marked[v.value] = 1;
@@ -66,7 +66,7 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
     while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
     const auto at = std::span(uses).subspan(first, last - first);
-    const bool feature = meshgraft::is_feature_edge(complex, at, sharp_angle);
+    const bool feature = meshgraft::is_feature_edge(complex, at, rule);
     const VertexId low(std::size_t(at[0].edge >> 32)), high(std::size_t(at[0].edge & 0xFFFFFFFF));
     if (feature) {
       vertex_feature_[low.value] = vertex_feature_[high.value] = 1;
@@ -86,7 +86,7 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
   first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
   for (std::size_t v = 0; v < marked.size(); ++v)
     if (marked[v] && complex.state[v] == VertexState::kPinned) vertex_feature_[v] = vertex_corner_[v] = 1;
-  find_corners(complex, sharp_angle, std::move(feature_edges));
+  find_corners(complex, rule.sharp_angle, std::move(feature_edges));
 }
 
 void Side::find_corners(const Complex& complex, double sharp_angle,

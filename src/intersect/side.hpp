@@ -17,11 +17,17 @@ using LocalFace = std::uint32_t;
 using LocalEdge = std::uint32_t;
 inline constexpr std::uint32_t kNowhere = 0xFFFFFFFF;
 
+/// What counts as a feature besides free and non-manifold edges.
+struct FeatureRule {
+  double sharp_angle;      // radians; edges folded more
+  bool borders_of_layers;  // borders of what lies on the mesh
+};
+
 class Side {
  public:
   /// `near`: the faces of this side that may meet the other, ascending. `own[f]` tells which faces
   /// of the complex belong to this side.
-  Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, double sharp_angle);
+  Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, const FeatureRule& rule);
 
   [[nodiscard]] std::size_t n_faces() const { return faces_.size(); }
   [[nodiscard]] std::size_t n_edges() const { return ends_.size(); }
@@ -53,7 +59,7 @@ class Side {
   [[nodiscard]] bool is_corner(VertexId v) const { return vertex_corner_[v.value]; }
 
  private:
-  void find_edges(const Complex& complex, std::span<const std::uint8_t> own, double sharp_angle);
+  void find_edges(const Complex& complex, std::span<const std::uint8_t> own, const FeatureRule& rule);
   void find_corners(const Complex& complex, double sharp_angle, std::vector<std::array<VertexId, 2>> feature_edges);
   void find_faces_at_vertices(std::size_t n_vertices);
 

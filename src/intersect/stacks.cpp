@@ -24,7 +24,8 @@ std::vector<std::array<std::uint32_t, 2>> over_each_other(const Complex& complex
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const std::uint32_t a = complex.component[faces[i].value], b = complex.component[faces[j].value];
-        if (a != b && have_common_area(lying_at[faces[i].value], lying_at[faces[j].value]))
+        if (a != b && have_common_area(lying_at[faces[i].value], lying_at[faces[j].value]) &&
+            have_common_area(complex.corners(faces[i]), complex.corners(faces[j])))
           pairs.push_back({std::min(a, b), std::max(a, b)});
       }
   make_distinct(pairs);
@@ -54,7 +55,8 @@ std::optional<JunctionFault> find_two_layers(const Complex& complex, std::span<c
         for (std::size_t j = 0; j < i; ++j) {
           const FaceId a = faces[j], b = faces[i];
           if (complex.component[a.value] != complex.component[b.value] || are_neighbours(complex, a, b) ||
-              !lie_over_each_other(lying_at[a.value], lying_at[b.value]))
+              !lie_over_each_other(lying_at[a.value], lying_at[b.value]) ||
+              !lie_over_each_other(complex.corners(a), complex.corners(b)))
             continue;
           const Vec3 middle = centroid(lying_at[b.value]);
           const double apart = distance(middle, closest_on_triangle(middle, lying_at[a.value]).point);

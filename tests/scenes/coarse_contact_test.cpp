@@ -71,16 +71,23 @@ Model drilled_plate() {
   return scenes::welded(scenes::together(all));
 }
 
-void expect_merged(const Model& base, const Model& part) {
+/// Lies on the plate.
+Model nut(std::size_t across) {
+  const std::array<Model, 3> all{cap(12, 10, across), wall({12, 15, 18}, "NUT"), cap(18, 10, across)};
+  return scenes::welded(scenes::together(all));
+}
+
+void expect_merged(const Model& base, std::span<const Model> parts) {
   MergeOptions options;
   options.tolerance = {0.99 * kSagitta, false};
   options.contact_angle = radians(50);
-  const auto merged = merge(base, std::span(&part, 1), options);
+  const auto merged = merge(base, parts, options);
   ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
   EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
   EXPECT_FALSE(merged->report.overlaps.empty());
-  scenes::expect_sound(apply(base, std::span(&part, 1), *merged));
+  scenes::expect_sound(apply(base, parts, *merged));
 }
+void expect_merged(const Model& base, const Model& part) { expect_merged(base, std::span(&part, 1)); }
 
 /// Facets of the wall lean over the plate around the hole, within the tolerance: they abut all the same.
 TEST(CoarseContact, WallsOfFourSidesThatAbutAreNoContactWhereTheirPlatesAre) {
@@ -95,6 +102,16 @@ TEST(CoarseContact, ABoltOfFourSidesIsOneWithTheWallOfItsHole) {
   expect_merged(drilled_plate(), wall({-6, 2, 10, 18, 26}, "BOLT"));
   expect_merged(drilled_plate(), wall({-6, 2, 10, 18, 26}, "BOLT", radians(45)));
   expect_merged(drilled_plate(), wall({-4, 3, 9, 16, 23, 30}, "BOLT"));
+}
+
+TEST(CoarseContact, ABoltIsOneWithPlateAndNutInOneCall) {
+  for (const double turned : {0.0, radians(20), radians(45)})
+    for (const std::size_t across : {2u, 3u}) {
+      SCOPED_TRACE(testing::Message() << turned << ' ' << across);
+      const Model bolt = wall({-4, 4.5, 13, 21.5, 30}, "BOLT", turned);
+      expect_merged(drilled_plate(), std::array{bolt, nut(across)});
+      expect_merged(drilled_plate(), std::array{nut(across), bolt});
+    }
 }
 
 /// The length or angle after an option in a hint.
