@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/distinct.hpp"
+
 namespace meshgraft {
 namespace {
 
@@ -111,7 +113,7 @@ void relax_curves(Editor& editor) {
   relax(editor, [](const LocalVertex& v) { return v.curve.valid(); });
 }
 
-void release_poor(Editor& editor, double target) {
+std::vector<VertexId> release_poor(Editor& editor, double target) {
   std::vector<VertexId> around;
   for (std::size_t k = 0; k < editor.mesh().n_faces(); ++k) {
     const LocalFace& face = editor.mesh().face(FaceId(k));
@@ -121,7 +123,9 @@ void release_poor(Editor& editor, double target) {
         for (const VertexId u : editor.mesh().face(f).v)
           if (editor.mesh().vertex(u).held) around.push_back(u);
   }
+  make_distinct(around);
   for (const VertexId v : around) editor.hold(v, false);
+  return around;
 }
 
 }  // namespace meshgraft

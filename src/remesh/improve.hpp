@@ -19,7 +19,8 @@ void relax_all(Editor& editor);
 void relax_curves(Editor& editor);
 
 /// Lets go of the vertices held at faces with Q < `target` and beside these.
-void release_poor(Editor& editor, double target);
+///   returns   them, ascending
+std::vector<VertexId> release_poor(Editor& editor, double target);
 
 /// Whether a flip must bring vertices nearer to six faces (in squares), or only not farther from that.
 enum class Irregularity : std::uint8_t { kLess, kNotMore };

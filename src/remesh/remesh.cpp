@@ -1,5 +1,6 @@
 #include "remesh/remesh.hpp"
 
+#include "core/distinct.hpp"
 #include "remesh/editor.hpp"
 #include "remesh/front.hpp"
 #include "remesh/improve.hpp"
@@ -14,12 +15,13 @@ constexpr double kComfortable = 0.65;  // Q below which a face is mended for the
 constexpr double kAmbitious = 0.75;    // the same where the mean is below the wanted one
 constexpr double kMargin = 0.05;       // above the wanted Q, so that rounding in files cannot spoil it
 
-}  // namespace
-
-Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
-                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
+/// Remeshes; nodes at which curves turn are held, but for the loose ones, to which those are added that had to be let
+/// go in the end.
+Remeshed remeshed(const Complex& complex, const Brep& brep, const Sizing& sizing,
+                  const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options,
+                  std::vector<VertexId>& loose) {
   Editor editor(complex, brep, in_zone, sizing, options);
-  resample_curves(editor, complex, brep, sizing);
+  resample_curves(editor, complex, brep, sizing, loose);
   in_each_sheet(editor, [](Editor& sheet) {
     advance_front(sheet);
     relax_all(sheet);
@@ -41,9 +43,22 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
   }
   relax_curves(editor);
   in_each_sheet(editor, [](Editor& sheet) { relax_all(sheet); });
-  release_poor(editor, options.min_quality + kMargin);
+  const std::vector<VertexId> released = release_poor(editor, options.min_quality + kMargin);
+  loose.insert(loose.end(), released.begin(), released.end());
+  make_distinct(loose);
   mend(editor, options.min_quality + kMargin);
   return to_remeshed(editor, complex, brep, in_zone, groups);
+}
+
+}  // namespace
+
+Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
+                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
+  std::vector<VertexId> loose;
+  Remeshed held = remeshed(complex, brep, sizing, in_zone, groups, options, loose);
+  if (held.bad.empty() || loose.empty()) return held;
+  Remeshed again = remeshed(complex, brep, sizing, in_zone, groups, options, loose);
+  return again.bad.size() < held.bad.size() ? again : held;
 }
 
 Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,

@@ -27,8 +27,9 @@ struct Knot {
 
 class Resampler {
  public:
-  Resampler(Editor& editor, const Complex& complex, const Brep& brep, const Sizing& sizing)
-      : editor_(editor), complex_(complex), brep_(brep), sizing_(sizing) {}
+  Resampler(Editor& editor, const Complex& complex, const Brep& brep, const Sizing& sizing,
+            std::span<const VertexId> loose)
+      : editor_(editor), complex_(complex), brep_(brep), sizing_(sizing), loose_(loose) {}
 
   void run() {
     for (std::size_t c = 0; c < brep_.curves.size(); ++c)
@@ -87,7 +88,7 @@ class Resampler {
 
   [[nodiscard]] bool turns(const Knot& k, const Knot& before, const Knot& after) const {
     const Vec3 a = position(before), b = position(after);
-    return is_input_node(k.v) &&
+    return is_input_node(k.v) && !std::ranges::binary_search(loose_, k.v) &&
            distance(position(k), closest_on_segment(position(k), a, b).point) > kTurn * distance(a, b);
   }
   [[nodiscard]] Vec3 position(const Knot& k) const { return complex_.position[k.v.value]; }
@@ -180,13 +181,15 @@ class Resampler {
   const Complex& complex_;
   const Brep& brep_;
   const Sizing& sizing_;
+  std::span<const VertexId> loose_;
   std::vector<VertexId> superfluous_;
 };
 
 }  // namespace
 
-void resample_curves(Editor& editor, const Complex& complex, const Brep& brep, const Sizing& sizing) {
-  Resampler(editor, complex, brep, sizing).run();
+void resample_curves(Editor& editor, const Complex& complex, const Brep& brep, const Sizing& sizing,
+                     std::span<const VertexId> loose) {
+  Resampler(editor, complex, brep, sizing, loose).run();
 }
 
 }  // namespace meshgraft
