@@ -109,6 +109,9 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
     return Attempt{std::move(zone), std::move(remeshed)};
   };
+  const auto is_better = [&](const Attempt& a, const Attempt& b) {
+    return shortfall(a.remeshed, options.min_quality) < shortfall(b.remeshed, options.min_quality);
+  };
   const auto zone_of = [&](int more) { return neighbourhoods(corefined, *inputs, size, options.bandwidth, more); };
 
   Zone narrow = zone_of(0);
@@ -126,18 +129,25 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     best = std::move(other), widened = more > 0 ? 1 : 0;
   }
 
-  Zone zone = best.zone;
-  const int automatic = zone.bandwidth.empty() ? 0 : *std::ranges::max_element(zone.bandwidth);
+  const int automatic = best.zone.bandwidth.empty() ? 0 : *std::ranges::max_element(best.zone.bandwidth);
   const int most = std::max(limits.max_neighbourhoods, automatic + limits.beyond);
-  std::vector<Vec3> places = mendable_places(best.remeshed);
-  int in_vain = 0;  // rounds since the last one that was better
-  for (int round = 1; round <= limits.max_rounds && in_vain < limits.max_in_vain && !places.empty(); ++round) {
-    if (!widen(zone, corefined, *inputs, size, places, most)) break;
-    Attempt wider = attempt(zone);
-    places = mendable_places(wider.remeshed);
-    ++in_vain;
-    if (shortfall(wider.remeshed, options.min_quality) < shortfall(best.remeshed, options.min_quality))
-      best = std::move(wider), ++widened, in_vain = 0;
+  const auto widen_around = [&](std::vector<Vec3> places, Zone zone) {
+    int in_vain = 0;  // rounds since the last one that was better
+    for (int round = 1; round <= limits.max_rounds && in_vain < limits.max_in_vain && !places.empty(); ++round) {
+      if (!widen(zone, corefined, *inputs, size, places, most)) break;
+      Attempt wider = attempt(zone);
+      places = mendable_places(wider.remeshed);
+      ++in_vain;
+      if (is_better(wider, best)) best = std::move(wider), ++widened, in_vain = 0;
+    }
+  };
+  widen_around(mendable_places(best.remeshed), best.zone);
+  if (!mendable_places(best.remeshed).empty() && !best.remeshed.let_go.empty()) {
+    remesh_options.loose = best.remeshed.let_go;
+    Attempt looser = attempt(best.zone);
+    std::vector<Vec3> places = mendable_places(looser.remeshed);
+    if (is_better(looser, best)) best = std::move(looser);
+    widen_around(std::move(places), best.zone);
   }
   return {std::move(best.remeshed), best.zone.bandwidth, widened};
 }

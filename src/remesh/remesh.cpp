@@ -1,6 +1,5 @@
 #include "remesh/remesh.hpp"
 
-#include "core/distinct.hpp"
 #include "remesh/editor.hpp"
 #include "remesh/front.hpp"
 #include "remesh/improve.hpp"
@@ -15,13 +14,12 @@ constexpr double kComfortable = 0.65;  // Q below which a face is mended for the
 constexpr double kAmbitious = 0.75;    // the same where the mean is below the wanted one
 constexpr double kMargin = 0.05;       // above the wanted Q, so that rounding in files cannot spoil it
 
-/// Remeshes; nodes at which curves turn are held, but for the loose ones, to which those are added that had to be let
-/// go in the end.
-Remeshed remeshed(const Complex& complex, const Brep& brep, const Sizing& sizing,
-                  const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options,
-                  std::vector<VertexId>& loose) {
+}  // namespace
+
+Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
+                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
   Editor editor(complex, brep, in_zone, sizing, options);
-  resample_curves(editor, complex, brep, sizing, loose);
+  resample_curves(editor, complex, brep, sizing, options.loose);
   in_each_sheet(editor, [](Editor& sheet) {
     advance_front(sheet);
     relax_all(sheet);
@@ -43,22 +41,11 @@ Remeshed remeshed(const Complex& complex, const Brep& brep, const Sizing& sizing
   }
   relax_curves(editor);
   in_each_sheet(editor, [](Editor& sheet) { relax_all(sheet); });
-  const std::vector<VertexId> released = release_poor(editor, options.min_quality + kMargin);
-  loose.insert(loose.end(), released.begin(), released.end());
-  make_distinct(loose);
+  std::vector<VertexId> let_go = release_poor(editor, options.min_quality + kMargin);
   mend(editor, options.min_quality + kMargin);
-  return to_remeshed(editor, complex, brep, in_zone, groups);
-}
-
-}  // namespace
-
-Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
-                const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
-  std::vector<VertexId> loose;
-  Remeshed held = remeshed(complex, brep, sizing, in_zone, groups, options, loose);
-  if (held.bad.empty() || loose.empty()) return held;
-  Remeshed again = remeshed(complex, brep, sizing, in_zone, groups, options, loose);
-  return again.bad.size() < held.bad.size() ? again : held;
+  Remeshed remeshed = to_remeshed(editor, complex, brep, in_zone, groups);
+  remeshed.let_go = std::move(let_go);
+  return remeshed;
 }
 
 Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,

@@ -14,12 +14,13 @@
 namespace meshgraft {
 
 struct RemeshOptions {
-  double min_quality = 0.5;      // wanted worst Q
-  double wanted_mean = 0.9;      // mean Q below which fair faces are worked on too
-  double max_deviation = 0.065;  // of new faces from the reference surface, share of the edge length of the input
-  int edge_samples = 3;          // inside an edge, where its distance from the reference is taken
-  bool replaces_input = true;    // faces descend from faces of the input, whose details may excuse poor ones
-  bool keeps_good = true;        // sheets whose faces are all as they were, and good, keep their vertices
+  double min_quality = 0.5;       // wanted worst Q
+  double wanted_mean = 0.9;       // mean Q below which fair faces are worked on too
+  double max_deviation = 0.065;   // of new faces from the reference surface, share of the edge length of the input
+  int edge_samples = 3;           // inside an edge, where its distance from the reference is taken
+  bool replaces_input = true;     // faces descend from faces of the input, whose details may excuse poor ones
+  std::vector<VertexId> loose{};  // nodes that are not held where a curve turns, ascending
+  bool keeps_good = true;         // sheets whose faces are all as they were, and good, keep their vertices
 };
 
 /// Why a face is poor, as far as the input is to blame.
@@ -45,9 +46,10 @@ struct BadFace {
 struct Remeshed {
   Complex complex;  // vertices no face or line uses any more are left out, except kPinned/kFrozen ones
   std::vector<std::uint8_t> in_zone;  // by face: descends from a zone face
-  std::vector<BadFace> bad;           // faces of the zone with Q < min_quality, worst first
-  double mean_quality = 1;            // mean Q of the faces that are not as in the input
-  double max_deviation = 0;           // of new faces from the reference surface (sampled)
+  std::vector<VertexId> let_go;  // of the complex remeshed, ascending: held nodes that poor faces needed in the end
+  std::vector<BadFace> bad;      // faces of the zone with Q < min_quality, worst first
+  double mean_quality = 1;       // mean Q of the faces that are not as in the input
+  double max_deviation = 0;      // of new faces from the reference surface (sampled)
   double max_deviation_relative = 0;  // over the local edge length
   Vec3 deviation_at;
 };
