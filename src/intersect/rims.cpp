@@ -20,11 +20,14 @@ std::vector<Surroundings> surroundings(const Complex& complex, std::span<const N
   for (std::size_t c = 0; c < near.size(); ++c) {
     of[c].own.insert(of[c].own.end(), near[c].own.begin(), near[c].own.end());
     of[c].others.insert(of[c].others.end(), near[c].earlier.begin(), near[c].earlier.end());
+    std::vector<std::uint32_t> earlier;
     for (const FaceId f : near[c].earlier) {
-      Surroundings& earlier = of[complex.component[f.value]];
-      earlier.own.push_back(f);
-      earlier.others.insert(earlier.others.end(), near[c].own.begin(), near[c].own.end());
+      earlier.push_back(complex.component[f.value]);
+      of[earlier.back()].own.push_back(f);
     }
+    make_distinct(earlier);
+    for (const std::uint32_t d : earlier)
+      of[d].others.insert(of[d].others.end(), near[c].own.begin(), near[c].own.end());
   }
   for (Surroundings& s : of) make_distinct(s.own), make_distinct(s.others);
   return of;
@@ -40,6 +43,8 @@ bool are_of_several(const Complex& complex, const std::vector<FaceId>& faces) {
 Rims find_rims(const Complex& complex, std::span<const NearFaces> near, std::span<const double> size,
                const SnapRule& snap, const CorefineOptions& options) {
   Rims rims;
+  constexpr std::size_t kFewest = 3;  // meshes: one with a rim, one beneath it, one that it ends on
+  if (near.size() < kFewest) return rims;
   Extensions& all = rims.extensions;
   const std::vector<Surroundings> around = surroundings(complex, near);
   const Joins& joins = complex.joins;
