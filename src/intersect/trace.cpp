@@ -10,6 +10,10 @@
 namespace meshgraft {
 namespace {
 
+/// Cosine of the least angle that what stands upright on a way ought to make with it: the normals of a fold that the
+/// way ends on may point along it.
+constexpr double kMostLeaning = 0.9;
+
 class Tracer {
  public:
   explicit Tracer(LyingMeeting& l) : l_(l), m_(l.meeting) {}
@@ -103,6 +107,7 @@ class Tracer {
     Vec3 from, to, up;  // `up`: over the start
     Vec3 dir;
     double length = 0, weld = 0;
+    [[nodiscard]] bool is_upright() const { return std::abs(dot(normalized(up - from), dir)) <= kMostLeaning; }
     [[nodiscard]] double along(Vec3 p) const { return dot(p - from, dir); }
     /// Cosine of the angle between the way and the straight line to a point.
     [[nodiscard]] double straightness(Vec3 p) const { return dot(normalized(p - from), dir); }
@@ -200,7 +205,7 @@ class Tracer {
   };
 
   /// Straight towards the last symbol: a vertex that the way comes too near to bends it.
-  [[nodiscard]] std::optional<Route> route(Upright which, std::size_t s, LocalEdge e, std::uint32_t from,
+  [[nodiscard]] std::optional<Route> route(Upright which, bool may_lean, std::size_t s, LocalEdge e, std::uint32_t from,
                                            std::uint32_t to) const {
     const std::size_t o = 1 - s;
     const Spot end = spot(o, m_.symbols[to]);
@@ -213,6 +218,7 @@ class Tracer {
           return route;
         }
       const Way w = way(which, o, e, now, end);
+      if (!may_lean && !w.is_upright()) return std::nullopt;
       const auto next = exit(o, now.on, w);
       if (!next || next->along >= w.length) return std::nullopt;
       if (next->on.kind == Carrier::kEdge && l_.border_edge[o][next->on.id]) return std::nullopt;
@@ -228,8 +234,9 @@ class Tracer {
   bool follow(std::size_t s, LocalEdge e, const Stop& from, const Stop& to) {
     const std::size_t o = 1 - s;
     std::optional<Route> found;
-    for (const Upright which : kUprights)
-      if (!found) found = route(which, s, e, from.symbol, to.symbol);
+    for (const bool may_lean : {false, true})
+      for (const Upright which : kUprights)
+        if (!found) found = route(which, may_lean, s, e, from.symbol, to.symbol);
     if (!found) return false;
     std::uint32_t now = from.symbol;
     double t = from.t;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -60,6 +61,69 @@ Model cap(double z, double outer, std::size_t across) {
   return builder.build("cap");
 }
 
+struct Row {
+  double height;
+  std::size_t n;    // nodes: 4 or 8
+  double skew = 0;  // radians by which those of the corners are off these
+};
+
+/// A wall with nodes at its four corners, and between them where a row has eight.
+Model straight_wall(const std::vector<Row>& rows, const std::function<std::string(Vec3)>& group) {
+  ModelBuilder builder;
+  std::vector<std::vector<NodeId>> row;
+  std::vector<std::vector<Vec3>> at;
+  for (const Row& r : rows) {
+    row.emplace_back(), at.emplace_back();
+    for (std::size_t i = 0; i < r.n; ++i) {
+      const bool is_corner = i % (r.n / 4) == 0;
+      at.back().push_back(around(kRadius, i * (8 / r.n), r.height, is_corner ? r.skew : 0));
+      row.back().push_back(builder.add_node(at.back().back()));
+    }
+  }
+  for (std::size_t j = 1; j < row.size(); ++j) {
+    const auto face = [&](const std::array<std::size_t, 3>& above, const std::array<std::size_t, 3>& i) {
+      std::array<NodeId, 3> f;
+      Vec3 sum;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t r = j - 1 + above[k], at_k = i[k] % row[r].size();
+        f[k] = row[r][at_k], sum += at[r][at_k];
+      }
+      builder.add_to_group(group(sum), builder.add_face(f[0], f[1], f[2]));
+    };
+    const std::size_t below = row[j - 1].size() / 4, above = row[j].size() / 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t a = i * below, b = (i + 1) * below, c = i * above, d = (i + 1) * above;
+      if (below == above) {
+        for (std::size_t k = 0; k < below; ++k)
+          face({0, 0, 1}, {a + k, a + k + 1, c + k}), face({1, 0, 1}, {c + k, a + k + 1, c + k + 1});
+      } else if (above == 2) {
+        face({0, 1, 1}, {a, c + 1, c}), face({0, 0, 1}, {a, b, c + 1}), face({0, 1, 1}, {b, d, c + 1});
+      } else {
+        face({1, 0, 0}, {c, a, a + 1}), face({1, 0, 1}, {c, a + 1, d}), face({1, 0, 0}, {d, a + 1, b});
+      }
+    }
+  }
+  return builder.build("straight wall");
+}
+
+std::string halves(Vec3 at) { return at.y > 0 ? "LEFT" : "RIGHT"; }
+
+/// With two groups that meet in two of its folds.
+Model square_bolt(const std::vector<double>& heights) {
+  std::vector<Row> rows;
+  for (const double z : heights) rows.push_back({z, 4});
+  return straight_wall(rows, halves);
+}
+
+/// In the middle of its wall nodes stand between the corners, and those of the corners beside them.
+Model skew_hole(double from, double to, double outer, std::size_t across, double skew) {
+  const std::array<Model, 3> all{
+      cap(from, outer, across),
+      straight_wall({{from, 4}, {0.5 * (from + to), 8, skew}, {to, 4}}, [](Vec3) { return std::string("HOLE"); }),
+      cap(to, outer, across)};
+  return scenes::welded(scenes::together(all));
+}
+
 Model flange(double depth, double outer, std::size_t across, const std::string& group) {
   const std::array<Model, 2> both{cap(0, outer, across), wall({0, 0.5 * depth, depth}, group)};
   return scenes::welded(scenes::together(both));
@@ -112,6 +176,14 @@ TEST(CoarseContact, ABoltIsOneWithPlateAndNutInOneCall) {
       expect_merged(drilled_plate(), std::array{bolt, nut(across)});
       expect_merged(drilled_plate(), std::array{nut(across), bolt});
     }
+}
+
+/// The rim of the hole ends on folds of the bolt: the sides beyond these face along it.
+TEST(CoarseContact, TheRimOfAHoleIsFollowedFromFoldToFold) {
+  for (const double degrees : {-1.0, 0.0, 1.0, 2.0}) {
+    SCOPED_TRACE(degrees);
+    expect_merged(skew_hole(0, 10, 20, 3, radians(degrees)), square_bolt({-4, 4, 12, 20}));
+  }
 }
 
 /// The length or angle after an option in a hint.
