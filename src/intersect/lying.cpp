@@ -89,6 +89,19 @@ void mark_edges_that_stay(LyingMeeting& l) {
         (side.is_feature_edge(e) || is_border_of_reach(l, e)) && n_in_contact(l, l.stays, e) == 1;
 }
 
+void mark_folds(LyingMeeting& l) {
+  const Side& side = l.meeting.side[l.stays];
+  l.fold_edge.assign(side.n_edges(), 0), l.fold_vertex.assign(l.meeting.complex.n_vertices(), 0);
+  const double least = std::cos(l.rule.options.sharp_angle);
+  for (LocalEdge e = 0; e < side.n_edges(); ++e) {
+    const auto faces = side.faces_at_edge(e);
+    if (side.is_feature_edge(e) || faces.size() != 2 || n_in_contact(l, l.stays, e) != 2) continue;
+    if (std::abs(dot(l.normal(l.stays, faces[0]), l.normal(l.stays, faces[1]))) >= least) continue;
+    l.fold_edge[e] = 1;
+    for (const VertexId v : side.ends(e)) l.fold_vertex[v.value] = 1;
+  }
+}
+
 /// Over the shift along a surface: how far the border of one side may pass a line of the other that both its ends are
 /// on, as chords of one curve do. Each may be off that curve.
 constexpr double kChord = 2;
@@ -184,9 +197,9 @@ class Declarer {
       if (to_vertex && offset(l_.at(o, x)) <= beside)
         spots.push_back({v, 0, offset(l_.at(o, x)), x.value, 0, l_.at(o, x), slid(l_.at(o, x))});
       const LocalEdge e = other.edges(g)[k];
-      const bool to_border = !l_.rims.empty() && !may_slide && m_.side[s].is_feature(v) &&
-                             l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
-      const bool to_edge = (is_feature && other.is_feature_edge(e)) || to_border ||
+      const bool runs_along = l_.is_fold(s, v) || (!l_.rims.empty() && m_.side[s].is_feature(v));
+      const bool to_border = !may_slide && runs_along && l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
+      const bool to_edge = (is_feature && (other.is_feature_edge(e) || l_.is_fold(o, e))) || to_border ||
                            (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
       if (!to_edge) continue;
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);
@@ -348,6 +361,7 @@ void find_imprinted(LyingMeeting& l) {
   }
   mark_edges_that_go(l);
   mark_edges_that_stay(l);
+  mark_folds(l);
   for (const std::size_t s : kSides)
     for (LocalEdge e = 0; e < l.meeting.side[s].n_edges(); ++e)
       if (l.imprinted_edge[s][e])

@@ -43,11 +43,18 @@ struct LyingMeeting {
   std::vector<std::array<VertexId, 2>> walls;
   std::array<std::vector<Imprint::Segment>, 2> segments;
 
+  /// Of the side that stays, where faces of one surface may be folded more than the sharp angle (see Overlayer): folds
+  /// between faces in contact that are lines of the surface all the same, by local edge; and their vertices. What is
+  /// imprinted beside them runs along them.
+  std::vector<std::uint8_t> fold_edge{}, fold_vertex{};
+
   /// Of Sides. They end on a mesh that goes through both sides, and go along it to where it meets the other side: where
   /// that curves, not straight across.
   std::span<const VertexId> rims{};
 
   [[nodiscard]] std::size_t goes() const { return 1 - stays; }
+  [[nodiscard]] bool is_fold(std::size_t s, LocalEdge e) const { return s == stays && fold_edge[e] != 0; }
+  [[nodiscard]] bool is_fold(std::size_t s, VertexId v) const { return s == stays && fold_vertex[v.value] != 0; }
   [[nodiscard]] Vec3 at(std::size_t s, VertexId v) const { return meeting.chart[s][v.value]; }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const {
     const auto& c = meeting.side[s].corners(f);

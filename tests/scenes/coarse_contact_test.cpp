@@ -178,6 +178,18 @@ TEST(CoarseContact, ABoltIsOneWithPlateAndNutInOneCall) {
     }
 }
 
+/// The folds of the hole are flatter than what counts as a fold where meshes lie on each other at that angle; they are
+/// lines of its surface all the same, and those of the bolt beside them left strips of no width to them.
+TEST(CoarseContact, FoldsOfABoltBesideThoseOfItsHoleAreOneWithThem) {
+  for (const double degrees : {-1.0, 0.5, 2.0}) {
+    SCOPED_TRACE(degrees);
+    const Model hole = skew_hole(0, 10, 20, 3, radians(degrees)), on_it = skew_hole(10, 13, 12, 2, 0);
+    expect_merged(hole, square_bolt({-8, 1, 9, 18}));
+    expect_merged(hole, std::array{square_bolt({-8, 1, 9, 18}), on_it});
+    expect_merged(on_it, std::array{square_bolt({-7, -1.3, 7.2, 15, 23}), hole});
+  }
+}
+
 /// The rim of the hole ends on folds of the bolt: the sides beyond these face along it.
 TEST(CoarseContact, TheRimOfAHoleIsFollowedFromFoldToFold) {
   for (const double degrees : {-1.0, 0.0, 1.0, 2.0}) {
