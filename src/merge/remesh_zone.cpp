@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/distinct.hpp"
 #include "geometry/quality.hpp"
 #include "merge/quality_summary.hpp"
 #include "patch/paper_zone.hpp"
@@ -24,6 +25,17 @@ std::vector<Vec3> mendable_places(const Remeshed& remeshed) {
   for (const BadFace& bad : remeshed.bad)
     if (!is_unavoidable(bad)) places.push_back(centroid(remeshed.complex.corners(bad.face)));
   return places;
+}
+
+/// Of the inputs that such faces have, ascending.
+std::vector<NodeRef> nodes_of_mendable(const Remeshed& remeshed) {
+  std::vector<NodeRef> nodes;
+  for (const BadFace& bad : remeshed.bad)
+    if (!is_unavoidable(bad))
+      for (const VertexId v : remeshed.complex.face[bad.face.value])
+        if (const NodeRef node = remeshed.complex.node[v.value]; node.valid()) nodes.push_back(node);
+  make_distinct(nodes);
+  return nodes;
 }
 
 double worst_mendable(const Remeshed& remeshed) {
@@ -147,6 +159,16 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
     Attempt looser = attempt(best.zone);
     std::vector<Vec3> places = mendable_places(looser.remeshed);
     if (is_better(looser, best)) best = std::move(looser);
+    widen_around(std::move(places), best.zone);
+  }
+  // Beside what is kept it may be so narrow that no good face fits on the nodes there.
+  if (const std::vector<NodeRef> nodes = nodes_of_mendable(best.remeshed); !corefined.kept.empty() && !nodes.empty()) {
+    Zone zone = best.zone;
+    for (const std::uint32_t i : inputs->release(nodes))
+      for (const FaceId f : inputs->pieces(i)) zone.in_zone[f.value] = inputs->frozen(i) ? 0 : 1;
+    Attempt freed = attempt(std::move(zone));
+    std::vector<Vec3> places = mendable_places(freed.remeshed);
+    if (is_better(freed, best)) best = std::move(freed);
     widen_around(std::move(places), best.zone);
   }
   return {std::move(best.remeshed), best.zone.bandwidth, widened};

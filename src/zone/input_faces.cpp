@@ -37,22 +37,34 @@ InputFaces::InputFaces(const Corefined& corefined)
       if (complex_.state[v.value] == VertexState::kFrozen) frozen_[i] = 1;
   }
   freeze_doubled();
-  release_around_cut();
+  // A face that had to be cut cannot be mended alone.
+  std::vector<std::uint32_t> cut;
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (kept_[i] && !is_whole(i)) cut.push_back(i);
+  release_around(std::move(cut));
 }
 
-/// A face that had to be cut cannot be mended alone.
-void InputFaces::release_around_cut() {
-  std::vector<std::uint32_t> front, next;
+std::vector<std::uint32_t> InputFaces::release(std::span<const NodeRef> nodes) {
+  std::vector<std::uint32_t> at_nodes;
   for (std::uint32_t i = 0; i < size(); ++i)
-    if (kept_[i] && !is_whole(i)) front.push_back(i);
+    if (kept(i) && std::ranges::any_of(complex_.face[pieces(i).front().value], [&](VertexId v) {
+          return std::ranges::binary_search(nodes, complex_.node[v.value]);
+        }))
+      at_nodes.push_back(i);
+  return release_around(std::move(at_nodes));
+}
+
+std::vector<std::uint32_t> InputFaces::release_around(std::vector<std::uint32_t> front) {
+  std::vector<std::uint32_t> released, next;
   for (int k = 0; k < kReleased && !front.empty(); ++k) {
     for (const std::uint32_t i : front) {
-      kept_[i] = 0;
+      if (std::exchange(kept_[i], std::uint8_t{0}) != 0) released.push_back(i);
       each_neighbour(i, [&](std::uint32_t j) { next.push_back(j); });
     }
     make_distinct(next);
     front = std::exchange(next, {});
   }
+  return released;
 }
 
 void InputFaces::freeze_doubled() {

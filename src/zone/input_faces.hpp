@@ -27,8 +27,10 @@ class InputFaces {
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
   /// It lies in an area of contact that stays as it is: not cut, and not in the neighbourhoods of a face there that
-  /// had to be cut.
+  /// had to be cut or was released.
   [[nodiscard]] bool kept(std::uint32_t i) const { return kept_[i] != 0; }
+  /// Those at the vertices of nodes (ascending) are not kept any longer, nor are their neighbourhoods. Returns these.
+  std::vector<std::uint32_t> release(std::span<const NodeRef> nodes);
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
   [[nodiscard]] Vec3 centre(std::uint32_t i) const;
 
@@ -47,7 +49,8 @@ class InputFaces {
  private:
   [[nodiscard]] double contour_length(std::uint32_t i) const;
   void freeze_doubled();
-  void release_around_cut();
+  /// These and the neighbourhoods around them, as far as they are kept. Returns these.
+  std::vector<std::uint32_t> release_around(std::vector<std::uint32_t> front);
 
   const Complex& complex_;
   Parents parents_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/quality.hpp"
 #include "meshgraft/merge.hpp"
 #include "scenes/expect.hpp"
 #include "support/scenes.hpp"
@@ -72,6 +73,19 @@ TEST(PlateStacks, AreJoinedWithAToleranceOfTheSumOfTheirGaps) {
         EXPECT_NEAR(after.at("PLATE" + std::to_string(k)), area, 0.04 * area) << k;
       }
     }
+}
+
+/// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
+TEST(PlateStacks, AKeptPlateNextToAFreeEdgeIsRemeshedThereAndNowhereElse) {
+  const Stack stack{{{200, 160, 0, 0, 0, 10, 0}, {80, 60, 0.01, 5, 47.1, 10, 1}}, 1.05};
+  const std::vector<Model> models = models_of(stack);
+  const auto merged = merged_stack(models, stack.tolerance, Overlap::kKeepPart);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  scenes::expect_sound(apply(models[0], std::span(models).subspan(1), *merged));
+  const auto& gone = merged->graft.removed_elements[1];
+  EXPECT_FALSE(gone.empty());
+  for (const ElementId e : gone) EXPECT_GT(centroid(models[1].corners(e)).y, 40);
 }
 
 }  // namespace
