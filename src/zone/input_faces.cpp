@@ -106,6 +106,15 @@ Vec3 InputFaces::centre(std::uint32_t i) const {
   return weight > 0 ? sum / weight : complex_.corners(pieces(i).front())[0];
 }
 
+bool InputFaces::share_a_mesh(FaceId f, FaceId g) const {
+  if (mesh_of(complex_.component[f.value]) == mesh_of(complex_.component[g.value])) return true;
+  if (complex_.layers_of(f).empty() && complex_.layers_of(g).empty()) return false;
+  const std::vector<std::uint32_t> of_f = complex_.components_of(f), of_g = complex_.components_of(g);
+  return std::ranges::any_of(of_f, [&](std::uint32_t a) {
+    return std::ranges::any_of(of_g, [&](std::uint32_t b) { return mesh_of(a) == mesh_of(b); });
+  });
+}
+
 std::vector<int> InputFaces::rings(int last) const {
   std::vector<int> ring(size(), 0);
   std::vector<std::uint32_t> front, next;
@@ -113,7 +122,7 @@ std::vector<int> InputFaces::rings(int last) const {
     if (touched(i)) ring[i] = 1, front.push_back(i);
   for (int k = 2; k <= last && !front.empty(); ++k) {
     for (const std::uint32_t i : front)
-      each_neighbour(i, [&](std::uint32_t j) {
+      each_neighbour_of_layers(i, [&](std::uint32_t j) {
         if (ring[j] == 0) ring[j] = k, next.push_back(j);
       });
     front = std::exchange(next, {});

@@ -37,16 +37,28 @@ class InputFaces {
   /// Calls f(j) for every j of the same mesh with a vertex of i, with repeats.
   template <class F>
   void each_neighbour(std::uint32_t i, F&& f) const {
-    for (const FaceId piece : pieces(i))
-      for (const VertexId v : complex_.face[piece.value])
-        for (const FaceId g : faces_at_[v])
-          if (complex_.joins.mesh_of(complex_.component[g.value]) == complex_.joins.mesh_of(component(i))) f(of(g));
+    each_at_vertices(i, f, [&](FaceId, FaceId g) { return mesh_of(component(of(g))) == mesh_of(component(i)); });
   }
 
-  /// Number of the neighbourhood each is in: 1 for touched ones; 0 for those beyond `last`.
+  /// The same, of each mesh that i stands for: where faces of several became one, each goes on beside it.
+  template <class F>
+  void each_neighbour_of_layers(std::uint32_t i, F&& f) const {
+    each_at_vertices(i, f, [&](FaceId piece, FaceId g) { return share_a_mesh(piece, g); });
+  }
+
+  /// Number of the neighbourhood each is in, of any of its layers: 1 for touched ones; 0 for those beyond `last`.
   [[nodiscard]] std::vector<int> rings(int last) const;
 
  private:
+  template <class F, class Counts>
+  void each_at_vertices(std::uint32_t i, F&& f, Counts&& counts) const {
+    for (const FaceId piece : pieces(i))
+      for (const VertexId v : complex_.face[piece.value])
+        for (const FaceId g : faces_at_[v])
+          if (counts(piece, g)) f(of(g));
+  }
+  [[nodiscard]] std::uint32_t mesh_of(std::uint32_t component) const { return complex_.joins.mesh_of(component); }
+  [[nodiscard]] bool share_a_mesh(FaceId f, FaceId g) const;
   [[nodiscard]] double contour_length(std::uint32_t i) const;
   void freeze_doubled();
   /// These and the neighbourhoods around them, as far as they are kept. Returns these.

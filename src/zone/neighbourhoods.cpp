@@ -122,7 +122,7 @@ std::vector<std::uint32_t> addable_around(std::uint32_t start, const InputFaces&
   seen[start] = 1;
   for (int k = 0; k < limit && result.empty() && !front.empty(); ++k) {
     for (const std::uint32_t i : front)
-      inputs.each_neighbour(i, [&](std::uint32_t j) {
+      inputs.each_neighbour_of_layers(i, [&](std::uint32_t j) {
         if (std::exchange(seen[j], 1)) return;
         if (taken[j])
           next.push_back(j);

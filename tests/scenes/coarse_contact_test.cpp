@@ -178,6 +178,17 @@ TEST(CoarseContact, ABoltIsOneWithPlateAndNutInOneCall) {
     }
 }
 
+/// The plate goes on beside the face of the nut that it was fused with: where no good faces fit, it gives way there,
+/// too.
+TEST(CoarseContact, APlateThatLiesOnANutIsRemeshedBesideIt) {
+  for (const double turned : {0.0, radians(20)})
+    for (const std::size_t across : {2u, 3u}) {
+      SCOPED_TRACE(testing::Message() << turned << ' ' << across);
+      expect_merged(nut(across), std::array{drilled_plate(), wall({-4, 4.5, 13, 21.5, 30}, "BOLT", turned)});
+    }
+  expect_merged(nut(2), std::array{drilled_plate(), wall({-4, 7, 18}, "BOLT")});
+}
+
 /// The folds of the hole are flatter than what counts as a fold where meshes lie on each other at that angle; they are
 /// lines of its surface all the same, and those of the bolt beside them left strips of no width to them.
 TEST(CoarseContact, FoldsOfABoltBesideThoseOfItsHoleAreOneWithThem) {
