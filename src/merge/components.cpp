@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <string>
 #include <tuple>
 
 #include "core/union_find.hpp"
@@ -33,15 +34,28 @@ std::vector<std::uint32_t> connected_meshes(const Model& model) {
   return mesh;
 }
 
-/// The base, then the parts by number of elements and by coordinates.
+std::vector<std::string> names_of_groups(const Model& model) {
+  std::vector<std::string> names;
+  for (const Group& group : model.groups) names.push_back(group.name);
+  return names;
+}
+
+/// The base, then the parts by number of elements, and those of equal numbers by their groups, labels and elements:
+/// wherever they are and however they are given, the order is the same. Only what has all these in common is told apart
+/// by its place.
 std::vector<std::uint32_t> order_of(Inputs inputs) {
   std::vector<std::uint32_t> order(inputs.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto coordinates = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-  std::stable_sort(order.begin() + 1, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (inputs[a]->n_elements() != inputs[b]->n_elements()) return inputs[a]->n_elements() > inputs[b]->n_elements();
-    const auto &p = inputs[a]->position, &q = inputs[b]->position;
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), coordinates);
+  std::stable_sort(order.begin() + 1, order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const Model &a = *inputs[i], &b = *inputs[j];
+    if (a.n_elements() != b.n_elements()) return a.n_elements() > b.n_elements();
+    if (const auto names = names_of_groups(a) <=> names_of_groups(b); names != 0) return names < 0;
+    const auto numbers =
+        std::tie(a.node_label, a.element_label, a.nodes) <=> std::tie(b.node_label, b.element_label, b.nodes);
+    if (numbers != 0) return numbers < 0;
+    return std::lexicographical_compare(a.position.begin(), a.position.end(), b.position.begin(), b.position.end(),
+                                        coordinates);
   });
   return order;
 }

@@ -13,8 +13,8 @@ namespace meshgraft {
 /// faces connected through nodes that surface elements share. With MergeOptions::joins each of these
 /// falls apart again by the named groups its faces are in, and only what they pair is joined.
 ///
-/// The order, base first, then by number of faces, the largest first, then by coordinates, does not
-/// depend on that of the parts. Error kUsage if a named group does not exist or has no triangle.
+/// The order, base first, then by number of faces, the largest first, then by groups and labels, depends neither on
+/// that of the parts nor on where all of them are. Error kUsage if a named group does not exist or has no triangle.
 [[nodiscard]] Result<Components> components_of(Inputs inputs, const MergeOptions& options);
 
 /// For the report; component by component.

@@ -207,5 +207,18 @@ TEST(Join, GroupsThatDoNotExistOrDoNotMeetAreErrors) {
   EXPECT_NE(m.error().what.find("SECOND"), std::string::npos);
 }
 
+/// The first in order was the one with the smaller coordinates: which of two doublers over each other stayed depended
+/// on where they were.
+TEST(ComponentOrder, OfPartsWithEquallyManyElementsDoesNotDependOnTheirPlace) {
+  const auto half_turn = [](Vec3 p) { return Vec3{-p.x, -p.y, p.z}; };
+  const Model base = wall(), first = along_x(0.5), second = along_x(1.5, 0, "OTHER");
+  const Model turned_base = scenes::moved(base, half_turn), turned_first = scenes::moved(first, half_turn),
+              turned_second = scenes::moved(second, half_turn);
+  const auto as_they_are = components_of(std::array{&base, &first, &second}, {});
+  const auto turned = components_of(std::array{&turned_base, &turned_first, &turned_second}, {});
+  ASSERT_TRUE(as_they_are.has_value() && turned.has_value());
+  EXPECT_EQ(as_they_are->input_order, turned->input_order);
+}
+
 }  // namespace
 }  // namespace meshgraft
