@@ -149,6 +149,15 @@ bool Seams::ends_in(std::size_t s, const Carrier& own, VertexId v) const {
   });
 }
 
+/// A face of side s between its corner v and edge e of the other side fills the seam.
+bool Seams::is_filled(std::size_t s, VertexId v, LocalEdge e) const {
+  const auto is_at_seam = [&](VertexId w) {
+    return w == v || m_.any_symbol(s, w, [&](const Symbol& symbol) { return m_.on_edge(symbol, 1 - s, e); });
+  };
+  return std::ranges::any_of(m_.side[s].faces_at(v),
+                             [&](LocalFace f) { return std::ranges::all_of(m_.side[s].corners(f), is_at_seam); });
+}
+
 void Seams::note(std::size_t s, const Carrier& on, VertexId v) {
   const FaceId face = m_.side[s].face(faces_at(m_.side[s], on).front());
   m_.seams.push_back({m_.complex.parent[face.value], m_.at(v)});
@@ -229,6 +238,7 @@ void Seams::declare_edges_at_vertices() {
           if (c.t <= 0 || c.t >= 1 || !is_on_border(1 - s, border)) continue;
           if (distance(m_.at(v), c.point) > width(1 - s, own, border)) continue;
           if (m_.any_symbol(s, v, [&](const Symbol& symbol) { return m_.on_edge(symbol, 1 - s, e); })) continue;
+          if (is_filled(s, v, e)) continue;
           on_edge.on[1 - s] = own;
           on_edge.on[s] = {Carrier::kVertex, v.value, 0};
           m_.add(on_edge);

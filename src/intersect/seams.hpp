@@ -35,13 +35,15 @@ class Seams {
   /// Vertices on borders of seams become those of the symbols that are near on another border.
   void close_at_symbols();
 
-  /// A vertex on one border of a seam is on the free edges of its other borders too.
+  /// A vertex on one border of a seam is on the free edges of its other borders too, unless a face of its own side is
+  /// between them.
   void declare_edges_at_vertices();
 
  private:
   [[nodiscard]] bool is_on_border(std::size_t s, const Carrier& on) const;
   [[nodiscard]] double width(std::size_t s, const Carrier& a, const Carrier& b) const;
   [[nodiscard]] bool ends_in(std::size_t s, const Carrier& own, VertexId v) const;
+  [[nodiscard]] bool is_filled(std::size_t s, VertexId v, LocalEdge e) const;
   void note(std::size_t s, const Carrier& on, VertexId v);
   void index_new_symbols();
 

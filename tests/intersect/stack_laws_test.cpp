@@ -73,5 +73,17 @@ TEST(Stack, EachPlateMayLieOnTheNextAtADistance) {
     for (const std::string& fault : faults(stack)) ADD_FAILURE() << fault;
 }
 
+/// A face of the third plate lay in a slit between the first two, less than the tolerance wide, that was closed.
+TEST(Stack, ASlitThatAnotherPlateFillsIsNotClosed) {
+  const PlatePair first{.x = 0, .y = 2.478, .length = 1.5, .width = 1.5, .turn = 1.0744246875277093};
+  const PlatePair second{
+      .x = 1.0255, .y = 0.6895, .length = 3.1725, .width = 1.5, .turn = 2.1174334485195203, .size = 0.8, .jitter = 0.3};
+  const PlatePair third{
+      .x = 2.1105, .y = 2.2155, .length = 3.4175, .width = 3.0775, .turn = 1.9980529276831085, .size = 0.43};
+  std::vector<PlatePair> stack{first, second, third};
+  for (PlatePair& p : stack) p.base_jitter = 0.3, p.staggered = true;
+  for (const std::string& fault : faults(stack)) ADD_FAILURE() << fault;
+}
+
 }  // namespace
 }  // namespace meshgraft
