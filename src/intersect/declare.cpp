@@ -183,6 +183,22 @@ bool would_flatten(const Meeting& m, std::size_t s, VertexId v, const Carrier& o
   return std::any_of(faces.begin(), faces.end(), [&](LocalFace g) { return would_flatten(m, s, v, g); });
 }
 
+/// True if a free edge from the vertex to a symbol on the free edge e of the other side stands off that: the two
+/// outlines have met, and what is between them beyond that place is no gap.
+bool have_met(const Meeting& m, std::size_t s, VertexId v, LocalEdge e) {
+  constexpr double kOff = 0.5;  // sine of the angle from which edges with a common end do not run along each other
+  const Side &own = m.side[s], &other = m.side[1 - s];
+  if (!other.is_free(e)) return false;
+  const auto& [low, high] = other.ends(e);
+  const Vec3 along = normalized(m.at(high) - m.at(low));
+  const auto is_off = [&](VertexId w) {
+    const LocalEdge f = own.find(v, w);
+    return f != kNowhere && own.is_free(f) && norm(cross(along, normalized(m.at(v) - m.at(w)))) > kOff &&
+           m.any_symbol(s, w, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, e); });
+  };
+  return std::ranges::any_of(own.faces_at(v), [&](LocalFace f) { return std::ranges::any_of(own.corners(f), is_off); });
+}
+
 /// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
 void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& landings, Carrier::Kind kind) {
   for (const Landing& l : landings) {
@@ -191,6 +207,7 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
     symbol.on[1 - s] = {kind, l.on, l.t};
     const bool is_border = m.ends_on_borders && s == 0 && kind == Carrier::kEdge;
     if (l.is_gap && !is_border && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
+    if (l.is_gap && kind == Carrier::kEdge && have_met(m, s, l.vertex, l.on)) continue;
     if (const auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point))
       if (seams.close(s, l.vertex, *other)) continue;
     m.has_closed_gap |= l.is_gap;
