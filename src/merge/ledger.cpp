@@ -40,9 +40,9 @@ Sum element(Shape shape, std::span<const Node> nodes, F&& position_of) {
   return s;
 }
 
-Sum element(const Model& model, ElementId e) {
+template <class F>
+Sum element(const Model& model, ElementId e, F&& at) {
   const Shape shape = model.shape(e);
-  const auto at = [&](NodeId n) { return model.position[n.value]; };
   if (shape == Shape::kTriangle || shape == Shape::kLine) return element(shape, model.nodes_of(e), at);
   Sum s;
   const Corners c = corners_of(shape, model.nodes_of(e));
@@ -51,6 +51,10 @@ Sum element(const Model& model, ElementId e) {
   if (c.n == 4) s.area += area({at(c.node[0]), at(c.node[2]), at(c.node[3])});
   if (c.n == 2) s.length = distance(at(c.node[0]), at(c.node[1]));
   return s;
+}
+
+Sum element(const Model& model, ElementId e) {
+  return element(model, e, [&](NodeId n) { return model.position[n.value]; });
 }
 
 /// All groups of one input, by group of that input. Blocks are summed by themselves, then in their order.
@@ -101,6 +105,7 @@ class ChangeCounter {
       for (const ElementId e : graft_.removed_elements[k])
         take(k, inputs_[k]->element_groups[e.value], element(*inputs_[k], e));
       for (const NodeId n : graft_.removed_nodes[k]) take(k, inputs_[k]->node_groups[n.value], node());
+      stretch(k);
     }
     for (const NewElement& e : graft_.new_elements) {
       const std::span<const NodeRef> nodes(e.nodes.data(), e.nodes[2].valid() ? 3 : 2);
@@ -124,11 +129,43 @@ class ChangeCounter {
     }
   }
 
+  /// Elements of an input that stay, with nodes that are not where they were.
+  void stretch(std::uint32_t input) {
+    const Model& model = *inputs_[input];
+    std::vector<std::uint8_t> is_elsewhere;
+    const auto mark = [&](NodeRef n) {
+      if (n.input != input) return;
+      is_elsewhere.resize(model.n_nodes());
+      is_elsewhere[n.node.value] = 1;
+    };
+    for (const Graft::MovedNode& m : graft_.moved_nodes) mark(m.node);
+    for (const Graft::ReplacedNode& r : graft_.replaced_nodes) mark(r.node);
+    if (is_elsewhere.empty()) return;
+    for (std::size_t i = 0; i < model.n_elements(); ++i) {
+      const ElementId e(i);
+      const auto is_moved = [&](NodeId n) { return n.valid() && is_elsewhere[n.value] != 0; };
+      if (!std::ranges::any_of(model.nodes_of(e), is_moved) ||
+          std::ranges::binary_search(graft_.removed_elements[input], e))
+        continue;
+      const Sum before = element(model, e), after = element(model, e, [&](NodeId n) { return place_of({input, n}); });
+      for (const GroupId g : model.group_sets.members(model.element_groups[i])) {
+        Sum& sum = change_.sum[merged_of_[input][g.value].value];
+        sum.add(before, -1), sum.add(after);
+      }
+    }
+  }
+
   void give(GroupSetId set, const Sum& s, std::vector<std::uint8_t>& how) {
     for (const GroupId g : graft_.group_sets.members(set)) {
       change_.sum[g.value].add(s);
       how[g.value] = 1;
     }
+  }
+
+  /// Of a node of an input, or of what took its place.
+  Vec3 place_of(NodeRef n) const {
+    const auto it = std::ranges::lower_bound(graft_.replaced_nodes, n, {}, &Graft::ReplacedNode::node);
+    return position_of(it != graft_.replaced_nodes.end() && it->node == n ? it->by : n);
   }
 
   Vec3 position_of(NodeRef n) const {

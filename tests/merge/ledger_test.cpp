@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/quality.hpp"
@@ -153,6 +155,22 @@ TEST(Ledger, FiveHundredOverlappingGroupsAllAddUp) {
     EXPECT_EQ(ledger.groups[g].members_after, result.groups[g].n_elements);
     EXPECT_NEAR(ledger.groups[g].area_after, ledger.groups[g].area_before, 1e-9);
   }
+}
+
+/// The foot of the leg goes to the base with the nodes of the flat one; the faces of the leg stay as they are else.
+TEST(Ledger, FacesThatStayCountAsTheirNodesStandNow) {
+  const Model base = scenes::plate({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, 1, "BASE");
+  const std::array<Model, 2> legs{scenes::plate({0, 0, 0.1}, {3, 0, 0}, {0, 3, 0}, 1, "FLAT"),
+                                  scenes::plate({0, 0, 0.1}, {3, 0, 0}, {0, 0, 3}, 1, "STANDING")};
+  const Model profile = scenes::welded(scenes::together(legs));
+  MergeOptions options;
+  options.tolerance = {0.15, false};
+  const auto merged = merge(base, std::span(&profile, 1), options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << to_string(merged->report.broken_promises.front());
+  const auto standing = std::ranges::find(merged->report.groups, "STANDING", &GroupEntry::name);
+  ASSERT_NE(standing, merged->report.groups.end());
+  EXPECT_NEAR(standing->area_after, 3 * 3.1, 1e-9);
 }
 
 }  // namespace
