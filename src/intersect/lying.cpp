@@ -21,6 +21,15 @@ bool is_border_of_groups(const LyingMeeting& l, std::size_t s, LocalEdge e) {
   return std::any_of(faces.begin(), faces.end(), [&](LocalFace f) { return key(f) != key(faces[0]); });
 }
 
+bool is_on_border_of_groups(const LyingMeeting& l, std::size_t s, VertexId v) {
+  const Side& side = l.meeting.side[s];
+  const auto borders = [&](LocalEdge e) {
+    return std::ranges::find(side.ends(e), v) != side.ends(e).end() && is_border_of_groups(l, s, e);
+  };
+  return std::ranges::any_of(side.faces_at(v),
+                             [&](LocalFace f) { return std::ranges::any_of(side.edges(f), borders); });
+}
+
 bool is_single_group_node(const LyingMeeting& l, std::size_t s, VertexId v) {
   const Complex& c = l.meeting.complex;
   const GroupSetId own = c.vertex_groups[v.value];

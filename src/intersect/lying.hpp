@@ -78,6 +78,8 @@ void find_imprinted(LyingMeeting& lying);
 
 /// True if an edge separates groups, attributes or components of the faces in contact.
 [[nodiscard]] bool is_border_of_groups(const LyingMeeting& lying, std::size_t s, LocalEdge e);
+/// True if a vertex is an end of such an edge.
+[[nodiscard]] bool is_on_border_of_groups(const LyingMeeting& lying, std::size_t s, VertexId v);
 /// A vertex in a node group that none of its neighbours is in: a point of its own.
 [[nodiscard]] bool is_single_group_node(const LyingMeeting& lying, std::size_t s, VertexId v);
 

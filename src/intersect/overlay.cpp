@@ -289,7 +289,8 @@ class Overlayer {
       const VertexId v(std::size_t{on.id});
       const bool may_go = on.kind == Carrier::kEdge
                               ? !other.is_feature_edge(on.id) && !is_border_of_groups(l, o, on.id)
-                              : on.kind == Carrier::kVertex && !other.is_feature(v) && !is_single_group_node(l, o, v);
+                              : on.kind == Carrier::kVertex && !other.is_feature(v) && !is_single_group_node(l, o, v) &&
+                                    !is_on_border_of_groups(l, o, v);
       points.emplace_back(symbol.on[s].id, symbol.on[s].t, symbol.vertex, may_go ? 1 : 0);
     }
     std::ranges::sort(points);

@@ -150,6 +150,22 @@ TEST(KeptContact, AMeshOnWhichTheOtherEndsOnItsNodesStaysBitForBit) {
   }
 }
 
+/// The corner of the first part is no feature any more where that is one mesh with the base, but its groups end there.
+TEST(KeptContact, ACornerOfOnePartOnAnEdgeOfTheNextStays) {
+  const Model base = scenes::staggered_plate({0, 0, 0}, {8, 0, 0}, {0, 12, 0}, 1, "BASE");
+  const std::vector<Model> parts{scenes::staggered_plate({4, 10, 0}, {0, -6, 0}, {3, 0, 0}, 1, "SECOND"),
+                                 scenes::staggered_plate({1, 0, 0}, {3, 0, 0}, {0, 6, 0}, 1, "FIRST")};
+  MergeOptions options;
+  options.overlap = Overlap::kKeepPart;
+  const auto merged = merge(base, parts, options);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  const auto after = scenes::area_by_group(apply(base, parts, *merged));
+  EXPECT_NEAR(after.at("BASE"), 96 - 36, 1e-6);
+  EXPECT_NEAR(after.at("FIRST"), 18, 1e-6);
+  EXPECT_NEAR(after.at("SECOND"), 18, 1e-6);
+}
+
 /// Of these the mesh that ends on the other was too narrow a zone, or got edges where the gap had bent it.
 TEST(KeptContact, WhatEndsOnTheKeptMeshIsOfTheQualityAskedFor) {
   const auto expect_good = [](const char* name, Overlap overlap) {
