@@ -7,7 +7,8 @@
 namespace meshgraft {
 namespace {
 
-/// `make soak` takes as many as it is asked for.
+/// `make soak SCENES=5000` takes as many as it is asked for, as does
+/// RC_PARAMS="seed=7 max_success=5000" build/release/tests/scenes/scenes_test --gtest_filter='MovedPlates.*'
 TEST(MovedPlates, AreMergedAlikeWhereverTheyAre) {
   const bool held = rc::check([] {
     const auto seed = *rc::gen::noShrink(rc::gen::inRange(0, 1 << 30));  // nothing to shrink
