@@ -157,7 +157,9 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
       if (std::abs(dot(n, m.at(v) - t[0])) > gap * norm(n)) continue;
       const TrianglePoint c = closest_on_triangle(m.at(v), t);
       const double d = distance(m.at(v), c.point);
-      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap)
+      // Not at a corner that it did not become: the two would be in one place.
+      const bool at_corner = std::ranges::any_of(t, [&](Vec3 q) { return distance(q, c.point) <= snap.weld; });
+      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap && !at_corner)
         found.push_back({v, d, p[1 - s], 0, c.point, d > snap.weld});
     }
   }
