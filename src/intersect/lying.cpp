@@ -104,9 +104,10 @@ void mark_folds(LyingMeeting& l) {
   const double least = std::cos(l.rule.options.sharp_angle);
   for (LocalEdge e = 0; e < side.n_edges(); ++e) {
     const auto faces = side.faces_at_edge(e);
-    if (side.is_feature_edge(e) || faces.size() != 2 || n_in_contact(l, l.stays, e) != 2) continue;
+    if (faces.size() != 2 || n_in_contact(l, l.stays, e) != 2) continue;
     if (std::abs(dot(l.normal(l.stays, faces[0]), l.normal(l.stays, faces[1]))) >= least) continue;
     l.fold_edge[e] = 1;
+    if (side.is_feature_edge(e)) continue;
     for (const VertexId v : side.ends(e)) l.fold_vertex[v.value] = 1;
   }
 }
@@ -206,9 +207,11 @@ class Declarer {
       if (to_vertex && offset(l_.at(o, x)) <= beside)
         spots.push_back({v, 0, offset(l_.at(o, x)), x.value, 0, l_.at(o, x), slid(l_.at(o, x))});
       const LocalEdge e = other.edges(g)[k];
-      const bool runs_along = l_.is_fold(s, v) || (!l_.rims.empty() && m_.side[s].is_feature(v));
-      const bool to_border = !may_slide && runs_along && l_.imprinted_edge[o][e] != 0 && other.is_feature_edge(e);
-      const bool to_edge = (is_feature && (other.is_feature_edge(e) || l_.is_fold(o, e))) || to_border ||
+      const bool runs_along =
+          l_.is_fold(s, v) || (!l_.rims.empty() && m_.side[s].is_feature(v) && other.is_feature_edge(e));
+      const bool to_border = !may_slide && runs_along && l_.imprinted_edge[o][e] != 0;
+      const bool to_fold = l_.imprinted_vertex[s][v.value] != 0 && l_.is_fold(o, e);
+      const bool to_edge = (is_feature && other.is_feature_edge(e)) || to_fold || to_border ||
                            (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
       if (!to_edge) continue;
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);

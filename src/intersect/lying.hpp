@@ -43,9 +43,9 @@ struct LyingMeeting {
   std::vector<std::array<VertexId, 2>> walls;
   std::array<std::vector<Imprint::Segment>, 2> segments;
 
-  /// Of the side that stays, where faces of one surface may be folded more than the sharp angle (see Overlayer): folds
-  /// between faces in contact that are lines of the surface all the same, by local edge; and their vertices. What is
-  /// imprinted beside them runs along them.
+  /// Of the side that stays: folds between faces in contact, by local edge, which are lines of its surface also where
+  /// faces of one surface may be folded more than the sharp angle (see Overlayer). What is imprinted beside them lies
+  /// on them, and runs to their vertices where the fold is no feature.
   std::vector<std::uint8_t> fold_edge{}, fold_vertex{};
 
   /// Of Sides. They end on a mesh that goes through both sides, and go along it to where it meets the other side: where
