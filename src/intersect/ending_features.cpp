@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/closest.hpp"
@@ -23,17 +24,16 @@ class EndingSearch {
     for (const FacePair& p : m_.pairs) {
       const Plane plane(m_, s_, p, within_);
       for (const LocalEdge e : side_.edges(p[s_]))
-        if (edge[e] == 0 && side_.is_feature_edge(e)) edge[e] = is_along(e, plane, p[1 - s_]) ? 1 : 0;
+        if (edge[e] == 0 && side_.is_feature_edge(e) && runs_along(e, plane))
+          edge[e] = is_beside(e, plane) || is_in_plane(e, plane, p[1 - s_]) ? 1 : 0;
     }
     for (LocalFace f = 0; f < side_.n_faces(); ++f)
       for (const VertexId v : side_.corners(f))
         if (side_.is_corner(v)) vertex[v.value] = 1;
     for (const VertexId v : m_.half_reached) vertex[v.value] = 0;
-    for (LocalEdge e = 0; e < side_.n_edges(); ++e) {
-      const auto& [a, b] = side_.ends(e);
-      if (side_.is_feature_edge(e) && near_[a.value] != 0 && near_[b.value] != 0) edge[e] = 1;
-      if (edge[e] != 0) vertex[a.value] = vertex[b.value] = 1;
-    }
+    for (LocalEdge e = 0; e < side_.n_edges(); ++e)
+      if (edge[e] != 0)
+        for (const VertexId v : side_.ends(e)) vertex[v.value] = 1;
   }
 
  private:
@@ -42,6 +42,9 @@ class EndingSearch {
     Plane(const Meeting& m, std::size_t s, const FacePair& p, double Snap::*within)
         : face(m.triangle(1 - s, p[1 - s])), normal(unit_normal(face)), gap(m.snap(p).*within) {}
     [[nodiscard]] bool holds(Vec3 p) const { return std::abs(dot(normal, p - face[0])) <= gap; }
+    [[nodiscard]] bool is_near(Vec3 p) const {
+      return holds(p) && distance(p, closest_on_triangle(p, face).point) <= gap;
+    }
     Triangle face;
     Vec3 normal;
     double gap;
@@ -50,12 +53,24 @@ class EndingSearch {
   void find_near(const FacePair& p) {
     const Plane plane(m_, s_, p, within_);
     for (const VertexId v : side_.corners(p[s_]))
-      if (side_.is_feature(v) && plane.holds(m_.at(v)) &&
-          distance(m_.at(v), closest_on_triangle(m_.at(v), plane.face).point) <= plane.gap)
-        near_[v.value] = 1;
+      if (side_.is_feature(v) && plane.is_near(m_.at(v))) near_[v.value] = 1;
   }
 
-  [[nodiscard]] bool is_along(LocalEdge e, const Plane& plane, LocalFace g) const {
+  /// An edge that goes through the face is short if both its ends are near, but ends nowhere there.
+  [[nodiscard]] bool runs_along(LocalEdge e, const Plane& plane) const {
+    const auto& [a, b] = side_.ends(e);
+    const Vec3 along = m_.at(b) - m_.at(a);
+    return std::abs(dot(along, plane.normal)) <= kAlong * norm(along);
+  }
+
+  /// Both ends are near the other side, one of them the face.
+  [[nodiscard]] bool is_beside(LocalEdge e, const Plane& plane) const {
+    const auto& ends = side_.ends(e);
+    return std::ranges::all_of(ends, [&](VertexId v) { return near_[v.value] != 0; }) &&
+           std::ranges::any_of(ends, [&](VertexId v) { return plane.is_near(m_.at(v)); });
+  }
+
+  [[nodiscard]] bool is_in_plane(LocalEdge e, const Plane& plane, LocalFace g) const {
     return std::ranges::all_of(side_.ends(e),
                                [&](VertexId v) { return plane.holds(m_.at(v)) && is_near_or_past(v, plane.face, g); });
   }

@@ -12,7 +12,6 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kAlong = 0.5;        // cosine of an edge to the normal of a surface, up to which it runs along that
 constexpr double kOneEnd = 0.85;      // cosine to their mean, from which directions across free edges are of one end
 constexpr double kLeastSine = 0.1;    // of the angle between a way and the surface it ends on
 constexpr double kInPlane = 0.5;      // sine of the angle by which a way may leave the tangent plane

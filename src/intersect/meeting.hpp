@@ -31,6 +31,9 @@ struct Symbol {
 /// Side 0 is everything joined so far and keeps its vertices, side 1 the component that is added.
 inline constexpr std::array<std::size_t, 2> kSides{0, 1};
 
+/// Cosine of an edge to the normal of a surface, up to which it runs along that; steeper ones end there or go through.
+inline constexpr double kAlong = 0.5;
+
 /// A face of each side.
 using FacePair = std::array<LocalFace, 2>;
 
