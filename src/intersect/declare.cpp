@@ -230,11 +230,20 @@ struct EdgePair {
   bool bends = false;   // farther apart than the weld length
 };
 
-/// A free edge of side 1 with both ends on side 0: it has been extended there, and what curves up between the ends is
-/// met in the surface that the edge is extended along, that of its one face.
+/// A free edge of side 1 with both ends on side 0: it has been extended there, and what it runs along and curves up
+/// between the ends is met in the surface that the edge is extended along, that of its one face.
 bool is_chord(const Meeting& m, LocalEdge f) {
   return m.side[1].is_free(f) && m.ending.edge[1][f] != 0 &&
          std::ranges::all_of(m.side[1].ends(f), [&](VertexId v) { return m.has_symbol(1, v); });
+}
+
+/// Whether edge f of side 1 runs along a face at edge e of side 0.
+bool runs_along(const Meeting& m, LocalEdge f, LocalEdge e) {
+  const auto& [a, b] = m.side[1].ends(f);
+  const Vec3 along = m.at(b) - m.at(a);
+  return std::ranges::any_of(m.side[0].faces_at_edge(e), [&](LocalFace g) {
+    return std::abs(dot(along, unit_normal(m.triangle(0, g)))) <= kAlong * norm(along);
+  });
 }
 
 /// Where edge e of side 0 meets the plane of the face at the chord f, if that is within the gap of f. `undecided`: it
@@ -251,7 +260,9 @@ std::optional<EdgePair> chord_crossing(const Meeting& m, LocalEdge e, LocalEdge 
   const Vec3 at = lerp(m.at(a), m.at(b), t);
   const SegmentPoint on_f = closest_on_segment(at, m.at(c), m.at(d));
   const double apart = distance(at, on_f.point);
-  if (on_f.t <= 0 || on_f.t >= 1 || apart > snap.feature || m.share_end(e, f)) return std::nullopt;
+  // What is beside an end of the chord passes that, not the chord, whichever side rounding puts it on.
+  const bool at_end = std::min(distance(on_f.point, m.at(c)), distance(on_f.point, m.at(d))) <= snap.weld;
+  if (at_end || apart > snap.feature || m.share_end(e, f)) return std::nullopt;
   return EdgePair{{e, f}, {t, on_f.t}, at, apart, apart > snap.weld, apart > snap.weld};
 }
 
@@ -270,7 +281,7 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const double close = std::max({snap.weld, m.seams_of.edge[0][e], m.seams_of.edge[1][f]});
         const double gap = std::max(close, snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0));
         if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
-        if (bool undecided = false; chord[f] != 0) {
+        if (bool undecided = false; chord[f] != 0 && runs_along(m, f, e)) {
           if (const auto crossing = chord_crossing(m, e, f, snap, undecided)) found.push_back(*crossing);
           if (!undecided) continue;
         }
