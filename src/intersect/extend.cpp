@@ -12,13 +12,13 @@
 namespace meshgraft {
 namespace {
 
-constexpr double kOneEnd = 0.85;      // cosine to their mean, from which directions across free edges are of one end
-constexpr double kLeastSine = 0.1;    // of the angle between a way and the surface it ends on
-constexpr double kInPlane = 0.5;      // sine of the angle by which a way may leave the tangent plane
-constexpr double kLeastHeight = 0.2;  // of a face, over what it was
-constexpr double kAcross = 0.95;      // cosine to the normal from which the way to a surface is no way past its border
-constexpr double kStraight = 1e-3;    // sine of a turn in a line that nobody sees
-constexpr double kWithIt = 0.9;       // over the way back of an end that stays, from which those beside it stay too
+constexpr double kOneEnd = 0.85;       // cosine to their mean, from which directions across free edges are of one end
+constexpr double kLeastSine = 0.1;     // of the angle between a way and the surface it ends on
+constexpr double kInPlane = 0.5;       // sine of the angle by which a way may leave the tangent plane
+constexpr double kLeastHeight = 0.05;  // of a face, over what it was
+constexpr double kAcross = 0.95;       // cosine to the normal from which the way to a surface is no way past its border
+constexpr double kStraight = 1e-3;     // sine of a turn in a line that nobody sees
+constexpr double kWithIt = 0.9;        // over the way back of an end that stays, from which those beside it stay too
 
 /// The surface that free edges end on.
 class Surface {
@@ -149,7 +149,7 @@ class Extender {
     Extensions all;
     for (const auto& [v, to] : target_) {
       all.moved.push_back({v, to});
-      all.ended_on.push_back(complex_.component[gaps_.at(v).face.value]);
+      all.ended_on.push_back(complex_.component[face_at(to, gaps_.at(v)).value]);
     }
     make_distinct(all.ended_on);
     all.bends = bends();
@@ -174,6 +174,11 @@ class Extender {
                return std::abs(dot(normal, unit_normal(complex_.corners(e.face)))) < std::cos(rule_.least_angle);
              });
     });
+  }
+  /// The face that an end goes to; that across its gap where it goes past the border of the surface.
+  [[nodiscard]] FaceId face_at(Vec3 to, const Gap& gap) const {
+    const Surface::Foot foot = surface_.nearest(to, gap.weld, [](Vec3) { return true; });
+    return foot.face.valid() ? foot.face : gap.face;
   }
   [[nodiscard]] bool is_exact(FaceId f) const { return !exact_.empty() && exact_[f.value] != 0; }
 
@@ -238,7 +243,9 @@ class Extender {
     mean = normalized(mean);
     const bool one_end = std::ranges::all_of(ending, [&](const End* e) { return dot(e->across, mean) >= kOneEnd; });
     if (!one_end) return ending.size() == 2 ? corner_target(v, gap, *ending[0], *ending[1]) : std::nullopt;
-    if (const auto hit = hit_along(v, gap, way_of(v, gap, mean))) return hit->point;
+    if (const auto hit = gap.is_open ? hit_along(v, gap, way_of(v, gap, mean))
+                                     : end_of_corner(v, gap, way_of(v, gap, mean), *ending.front()))
+      return hit->point;
     if (!gap.is_open) return std::nullopt;
     if (const auto hit = hit_along(v, gap, mean)) return hit->point;
     return nearest_in_plane(v, gap, ending, mean);
@@ -281,7 +288,7 @@ class Extender {
   /// Of a corner whose two edges both end: the place where their ends meet.
   [[nodiscard]] std::optional<Vec3> corner_target(VertexId v, const Gap& gap, const End& a, const End& b) const {
     const Vec3 u = normalized(at(v) - at(a.other)), w = normalized(at(v) - at(b.other));
-    const auto on_u = hit_along(v, gap, u), on_w = hit_along(v, gap, w);
+    const auto on_u = end_of_corner(v, gap, u, b), on_w = end_of_corner(v, gap, w, a);
     if (!on_u || !on_w) return std::nullopt;
     const double uu = dot(on_u->normal, u), uw = dot(on_u->normal, w);
     const double wu = dot(on_w->normal, u), ww = dot(on_w->normal, w);
@@ -292,6 +299,22 @@ class Extender {
     const Surface::Foot foot = nearest(v, to, gap.tolerance);
     if (!foot.face.valid() || distance(foot.point, at(v)) > rule_.longest_way * gap.tolerance) return std::nullopt;
     return foot.point;
+  }
+
+  /// What the way u of a corner meets, on which its other edge ends: the surface, or where that is short itself and the
+  /// way goes past it, the plane that the far end of that edge goes to.
+  [[nodiscard]] std::optional<Surface::Hit> end_of_corner(VertexId v, const Gap& gap, Vec3 u, const End& ending) const {
+    if (auto hit = hit_along(v, gap, u)) return hit;
+    const Gap& far = gaps_.at(ending.other);
+    const double sine = dot(far.normal, u);
+    if (std::abs(sine) < kLeastSine) return std::nullopt;
+    const double way = dot(far.normal, at(ending.other) + far.across - at(v)) / sine;
+    const Vec3 to = at(v) + way * u;
+    const auto faces_alike = [&](Vec3 normal) { return std::abs(dot(normal, far.normal)) >= kOneEnd; };
+    if (std::abs(way) > rule_.longest_way * gap.tolerance ||
+        !surface_.nearest(to, gap.tolerance, faces_alike).face.valid())
+      return std::nullopt;
+    return Surface::Hit{way, to, far.normal};
   }
 
   [[nodiscard]] std::optional<Vec3> nearest_in_plane(VertexId v, const Gap& gap, const std::vector<const End*>& ending,
