@@ -12,6 +12,7 @@
 #include "intersect/overlap.hpp"
 #include "intersect/overlay.hpp"
 #include "intersect/pockets.hpp"
+#include "intersect/rims.hpp"
 
 namespace meshgraft {
 namespace {
@@ -77,6 +78,7 @@ class Joiner {
   /// Where the sides lie on each other, one layer is taken out. `exact` follows the faces.
   std::optional<ImprintFault> lay_over(std::vector<std::uint8_t>& exact) {
     std::vector<std::uint32_t> behind;
+    if (options_.ends_on_borders) draw_rims();
     if (auto fault = lay_over({active_faces(), owners(component_), joining_.rims}, exact, behind)) return fault;
     // The component lay between others: those go where it went.
     while (!behind.empty()) {
@@ -86,6 +88,16 @@ class Joiner {
         if (auto fault = lay_on(on, next, exact, behind)) return fault;
     }
     return std::nullopt;
+  }
+
+  /// Joins before this one may have laid the component on what it was beside, and it ends on what crosses both.
+  void draw_rims() {
+    const std::array<std::vector<FaceId>, 2> faces = active_faces();
+    const SnapRule snap(largest_, options_, true);
+    const Extensions all = rim_extensions(complex_, component_, faces[1], faces[0], marks_.size, snap, options_);
+    take(all);
+    for (const Extension& e : all.moved) joining_.rims.push_back(e.vertex);
+    make_distinct(joining_.rims);
   }
 
   /// The own components of the faces that stand for the component.
@@ -160,14 +172,19 @@ class Joiner {
     }
     const SnapRule snap(largest_, options_, true);
     const Extensions all = extensions(complex_, own, other, owns, marks_.size, exact, {options_.tolerance, snap});
+    take(all);
+    half_reached_.insert(half_reached_.end(), all.last.begin(), all.last.end());
+    joining_.half_reached.insert(joining_.half_reached.end(), all.half_reached.begin(), all.half_reached.end());
+    return !all.moved.empty();
+  }
+
+  /// Moves the ends.
+  void take(const Extensions& all) {
     for (const auto& [v, to] : all.moved) {
       moved_from_.emplace(v, complex_.position[v.value]);
       complex_.position[v.value] = to;
     }
     bends_.insert(bends_.end(), all.bends.begin(), all.bends.end());
-    half_reached_.insert(half_reached_.end(), all.last.begin(), all.last.end());
-    joining_.half_reached.insert(joining_.half_reached.end(), all.half_reached.begin(), all.half_reached.end());
-    return !all.moved.empty();
   }
 
   /// One round. Sets settled_ if the sides do not meet anywhere anew. A fault names the face as it

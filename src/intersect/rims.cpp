@@ -33,12 +33,60 @@ std::vector<Surroundings> surroundings(const Complex& complex, std::span<const N
   return of;
 }
 
-bool are_of_several(const Complex& complex, const std::vector<FaceId>& faces) {
+bool are_of_several(const Complex& complex, std::span<const FaceId> faces) {
   return std::ranges::any_of(
       faces, [&](FaceId f) { return complex.component[f.value] != complex.component[faces.front().value]; });
 }
 
+/// Those of the first side, ascending.
+std::vector<FaceId> lying_faces(const Contacts& contacts) {
+  std::vector<FaceId> lying;
+  for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
+    if (contacts.on_each_other[i] != 0) lying.push_back(contacts.pairs[i][0]);
+  make_distinct(lying);
+  return lying;
+}
+
+/// By face of the complex, whether it is of `own` and has no vertex of a lying face. Those that have one are drawn with
+/// it, lest corners between free edges be drawn by half.
+std::vector<std::uint8_t> not_beside(const Complex& complex, std::span<const FaceId> own,
+                                     std::span<const FaceId> lying) {
+  std::vector<VertexId> corners;
+  for (const FaceId f : lying)
+    corners.insert(corners.end(), complex.face[f.value].begin(), complex.face[f.value].end());
+  make_distinct(corners);
+  std::vector<std::uint8_t> is_not(complex.n_faces());
+  for (const FaceId f : own)
+    is_not[f.value] =
+        std::ranges::none_of(complex.face[f.value], [&](VertexId v) { return std::ranges::binary_search(corners, v); });
+  return is_not;
+}
+
+/// Extensions to others that `own` does not lie on; see extensions().
+Extensions across(const Complex& complex, std::uint32_t component, std::span<const FaceId> own,
+                  std::span<const FaceId> others, std::span<const double> size, std::span<const std::uint8_t> exact,
+                  const SnapRule& snap, const CorefineOptions& options) {
+  const Joins& joins = complex.joins;
+  std::vector<std::uint8_t> owns(complex.n_faces());
+  for (std::size_t f = 0; f < owns.size(); ++f) {
+    const std::uint32_t c = complex.component[f];
+    owns[f] = c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component));
+  }
+  ExtendRule rule{options.tolerance, snap};
+  rule.least_angle = options.contact_angle;
+  return extensions(complex, own, others, owns, size, exact, rule);
+}
+
 }  // namespace
+
+Extensions rim_extensions(const Complex& complex, std::uint32_t component, std::span<const FaceId> own,
+                          std::span<const FaceId> others, std::span<const double> size, const SnapRule& snap,
+                          const CorefineOptions& options) {
+  if (!are_of_several(complex, others)) return {};
+  const std::vector<FaceId> lying = lying_faces(find_contacts(complex, own, others, size, {options, snap}));
+  if (lying.empty()) return {};
+  return across(complex, component, own, others, size, not_beside(complex, own, lying), snap, options);
+}
 
 Rims find_rims(const Complex& complex, std::span<const NearFaces> near, std::span<const double> size,
                const SnapRule& snap, const CorefineOptions& options) {
@@ -47,38 +95,32 @@ Rims find_rims(const Complex& complex, std::span<const NearFaces> near, std::spa
   if (near.size() < kFewest) return rims;
   Extensions& all = rims.extensions;
   const std::vector<Surroundings> around = surroundings(complex, near);
-  const Joins& joins = complex.joins;
   for (std::uint32_t c = 1; c < around.size(); ++c) {
-    if (joins.mesh_of(c) == joins.mesh_of(0)) continue;
+    if (complex.joins.mesh_of(c) == complex.joins.mesh_of(0)) continue;
     const auto& [own, others] = around[c];
     if (!are_of_several(complex, others)) continue;
-    const Contacts contacts = find_contacts(complex, own, others, size, {options, snap});
-    std::vector<std::uint8_t> is_elsewhere(complex.n_faces());  // own faces that lie on nothing
-    for (const FaceId f : own) is_elsewhere[f.value] = 1;
-    for (std::size_t i = 0; i < contacts.pairs.size(); ++i)
-      if (contacts.on_each_other[i] != 0) is_elsewhere[contacts.pairs[i][0].value] = 0;
-    if (std::ranges::all_of(own, [&](FaceId f) { return is_elsewhere[f.value] != 0; })) continue;
-    std::vector<std::uint8_t> owns(complex.n_faces());
-    for (std::size_t f = 0; f < owns.size(); ++f) {
-      const std::uint32_t d = complex.component[f];
-      owns[f] = d == c || (joins.mesh_of(d) == joins.mesh_of(c) && !joins.are_joined(d, c));
-    }
-    ExtendRule rule{options.tolerance, snap};
-    rule.least_angle = options.contact_angle;
-    const Extensions of_one = extensions(complex, own, others, owns, size, is_elsewhere, rule);
+    const Extensions of_one = rim_extensions(complex, c, own, others, size, snap, options);
     all.moved.insert(all.moved.end(), of_one.moved.begin(), of_one.moved.end());
     all.bends.insert(all.bends.end(), of_one.bends.begin(), of_one.bends.end());
     for (const std::uint32_t d : of_one.ended_on) rims.ends.push_back({c, d});
+    for (const std::uint32_t d : across(complex, c, own, others, size, {}, snap, options).ended_on)
+      rims.ends.push_back({c, d});
   }
+  make_distinct(rims.ends);
   return rims;
 }
 
 std::vector<std::uint32_t> ranks(std::size_t n_components, std::span<const std::array<std::uint32_t, 2>> ends) {
-  std::vector<std::uint32_t> before(n_components), order(n_components), rank(n_components);
-  std::iota(before.begin(), before.end(), 0u), std::iota(order.begin(), order.end(), 0u);
-  for (const auto& [rim, on] : ends) before[on] = std::min(before[on], rim);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t c) { return std::pair(before[c], before[c] == c); });
-  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  std::vector<std::uint8_t> begun(n_components);
+  std::vector<std::uint32_t> rank(n_components);
+  std::uint32_t next = 0;
+  const auto join = [&](auto&& self, std::uint32_t c) -> void {
+    if (std::exchange(begun[c], std::uint8_t{1}) != 0) return;  // also where meshes end on each other in a circle
+    for (const auto& [ending, on] : std::ranges::equal_range(ends, c, {}, [](const auto& e) { return e[0]; }))
+      self(self, on);
+    rank[c] = next++;
+  };
+  for (std::uint32_t c = 0; c < n_components; ++c) join(join, c);
   return rank;
 }
 
