@@ -185,20 +185,27 @@ bool would_flatten(const Meeting& m, std::size_t s, VertexId v, const Carrier& o
   return std::any_of(faces.begin(), faces.end(), [&](LocalFace g) { return would_flatten(m, s, v, g); });
 }
 
-/// True if a free edge from the vertex to a symbol on the free edge e of the other side stands off that: the two
-/// outlines have met, and what is between them beyond that place is no gap.
+/// True if a line of the vertex's side, of free edges or such with more than two faces, comes from a symbol on the free
+/// edge e of the other side and stands off that all the way to the vertex: the two have met, and what is between them
+/// beyond that place is no gap.
 bool have_met(const Meeting& m, std::size_t s, VertexId v, LocalEdge e) {
   constexpr double kOff = 0.5;  // sine of the angle from which edges with a common end do not run along each other
   const Side &own = m.side[s], &other = m.side[1 - s];
   if (!other.is_free(e)) return false;
   const auto& [low, high] = other.ends(e);
   const Vec3 along = normalized(m.at(high) - m.at(low));
-  const auto is_off = [&](VertexId w) {
-    const LocalEdge f = own.find(v, w);
-    return f != kNowhere && own.is_free(f) && norm(cross(along, normalized(m.at(v) - m.at(w)))) > kOff &&
-           m.any_symbol(s, w, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, e); });
+  const auto distance_of = [&](VertexId w) {
+    return distance(m.at(w), closest_on_segment(m.at(w), m.at(low), m.at(high)).point);
   };
-  return std::ranges::any_of(own.faces_at(v), [&](LocalFace f) { return std::ranges::any_of(own.corners(f), is_off); });
+  const auto comes_by = [&](VertexId w) {
+    const LocalEdge f = own.find(v, w);
+    return f != kNowhere && (own.is_free(f) || own.n_faces_at(f) > 2) &&
+           norm(cross(along, normalized(m.at(v) - m.at(w)))) > kOff && distance_of(w) < distance_of(v) &&
+           (m.any_symbol(s, w, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, e); }) ||
+            have_met(m, s, w, e));
+  };
+  return std::ranges::any_of(own.faces_at(v),
+                             [&](LocalFace f) { return std::ranges::any_of(own.corners(f), comes_by); });
 }
 
 /// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
