@@ -1,6 +1,7 @@
 #include "intersect/join.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -90,9 +91,14 @@ class Joiner {
     return std::nullopt;
   }
 
-  /// Joins before this one may have laid the component on what it was beside, and it ends on what crosses both.
+  /// Joins before this one may have laid the component on what it was beside, and it ends on what crosses both. What
+  /// they have bent is steep only for closing a gap.
   void draw_rims() {
-    const std::array<std::vector<FaceId>, 2> faces = active_faces();
+    std::array<std::vector<FaceId>, 2> faces = active_faces();
+    std::erase_if(faces[0], [&](FaceId f) {
+      const double cosine = dot(unit_normal(complex_.corners(f)), unit_normal(marks_.input[f.value]));
+      return cosine < std::cos(options_.contact_angle);
+    });
     const SnapRule snap(largest_, options_, true);
     const Extensions all = rim_extensions(complex_, component_, faces[1], faces[0], marks_.size, snap, options_);
     take(all);
