@@ -411,6 +411,14 @@ class Extender {
 
 }  // namespace
 
+std::vector<std::uint8_t> faces_with(const Complex& complex, std::uint32_t component) {
+  const Joins& joins = complex.joins;
+  std::vector<std::uint8_t> with;
+  for (const std::uint32_t c : complex.component)
+    with.push_back(c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component)));
+  return with;
+}
+
 Extensions extensions(const Complex& complex, std::span<const FaceId> own, std::span<const FaceId> other,
                       std::span<const std::uint8_t> owns, std::span<const double> size,
                       std::span<const std::uint8_t> exact, const ExtendRule& rule) {

@@ -37,6 +37,9 @@ struct ExtendRule {
   double least_angle = 0;
 };
 
+/// By face of the complex, whether it is of the component or hangs together with it without being joined to it.
+[[nodiscard]] std::vector<std::uint8_t> faces_with(const Complex& complex, std::uint32_t component);
+
 /// Extensions of the free edges of `own`, faces of one component, to the surface of `other`.
 ///
 ///  (1) An edge is extended if both its ends are within the tolerance of the other surface and it runs

@@ -168,14 +168,10 @@ class Joiner {
   }
 
   bool extend(std::uint32_t component, std::span<const FaceId> other, std::span<const std::uint8_t> exact) {
-    const Joins& joins = complex_.joins;
     std::vector<FaceId> own;
-    std::vector<std::uint8_t> owns(complex_.n_faces());
-    for (std::size_t f = 0; f < owns.size(); ++f) {
-      const std::uint32_t c = complex_.component[f];
-      if (c == component && marks_.active[f]) own.emplace_back(f);
-      owns[f] = c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component));
-    }
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (complex_.component[f] == component && marks_.active[f]) own.emplace_back(f);
+    const std::vector<std::uint8_t> owns = faces_with(complex_, component);
     const SnapRule snap(largest_, options_, true);
     const Extensions all = extensions(complex_, own, other, owns, marks_.size, exact, {options_.tolerance, snap});
     take(all);
@@ -276,12 +272,8 @@ class Joiner {
   /// The faces that count in telling features: what hangs together with a side and is not joined to it
   /// goes on beyond its own faces.
   [[nodiscard]] std::array<std::vector<std::uint8_t>, 2> owners(std::uint32_t second) const {
-    const Joins& joins = complex_.joins;
-    std::array<std::vector<std::uint8_t>, 2> own;
-    for (const std::uint32_t c : complex_.component) {
-      const bool one_mesh = joins.mesh_of(c) == joins.mesh_of(second) && !joins.are_joined(c, second);
-      own[0].push_back(c != second), own[1].push_back(c == second || one_mesh);
-    }
+    std::array<std::vector<std::uint8_t>, 2> own{{{}, faces_with(complex_, second)}};
+    for (const std::uint32_t c : complex_.component) own[0].push_back(c != second);
     return own;
   }
 

@@ -1,7 +1,6 @@
 #include "intersect/rims.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/distinct.hpp"
@@ -66,15 +65,9 @@ std::vector<std::uint8_t> not_beside(const Complex& complex, std::span<const Fac
 Extensions across(const Complex& complex, std::uint32_t component, std::span<const FaceId> own,
                   std::span<const FaceId> others, std::span<const double> size, std::span<const std::uint8_t> exact,
                   const SnapRule& snap, const CorefineOptions& options) {
-  const Joins& joins = complex.joins;
-  std::vector<std::uint8_t> owns(complex.n_faces());
-  for (std::size_t f = 0; f < owns.size(); ++f) {
-    const std::uint32_t c = complex.component[f];
-    owns[f] = c == component || (joins.mesh_of(c) == joins.mesh_of(component) && !joins.are_joined(c, component));
-  }
   ExtendRule rule{options.tolerance, snap};
   rule.least_angle = options.contact_angle;
-  return extensions(complex, own, others, owns, size, exact, rule);
+  return extensions(complex, own, others, faces_with(complex, component), size, exact, rule);
 }
 
 }  // namespace
