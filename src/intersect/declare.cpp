@@ -78,12 +78,26 @@ void replace(Meeting& m, VertexId x, VertexId y) {
   m.complex.state[x.value] = std::max(m.complex.state[x.value], m.complex.state[y.value]);
 }
 
+/// Where two vertices on free edges of side 1 become one.
+void note_seam(Meeting& m, VertexId x, VertexId y) {
+  const Side& side = m.side[1];
+  for (const LocalFace f : side.faces_at(y))
+    for (const LocalEdge e : side.edges(f)) {
+      const auto& [a, b] = side.ends(e);
+      if (!side.is_free(e) || (a != y && b != y)) continue;
+      m.seams.push_back({m.complex.parent[side.face(f).value], m.at(x)});
+      return;
+    }
+}
+
 void declare_vertex_on_vertex(Meeting& m) {
   for (const auto& [d, x, y] : near_vertices(m)) {
     if (m.has_symbol(1, y)) continue;
-    if (m.has_symbol(0, x) && would_collapse(m, x, y)) continue;
+    const bool is_taken = m.has_symbol(0, x);
+    if (is_taken && would_collapse(m, x, y)) continue;
     m.has_closed_gap |= d > m.rule.noise();
     replace(m, x, y);
+    if (is_taken) note_seam(m, x, y);
   }
 }
 

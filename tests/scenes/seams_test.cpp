@@ -106,5 +106,28 @@ TEST(Seams, KeepTheirNodesBesideTheJunction) {
   }
 }
 
+constexpr double kRadius = 0.5;
+
+/// Around the z axis, with or without an open seam along it.
+Model tube(double from, double to, bool has_seam, const std::string& group) {
+  scenes::Surface s;
+  s.at = [=](double u, double v) {
+    const double angle = 2 * std::numbers::pi * u;
+    return Vec3{kRadius * std::cos(angle), kRadius * std::sin(angle), from + v * (to - from)};
+  };
+  s.nu = 30, s.nv = static_cast<std::size_t>(std::lround((to - from) / kSize)), s.closed_u = !has_seam, s.group = group;
+  return scenes::surface(s);
+}
+
+TEST(Seams, OfOneEdgeAreSewnWhereBothEndsAreJoined) {
+  const Model base = tube(0, 0.5, false, "LOWER");
+  const std::array<Model, 2> parts{tube(0.5, 0.5 + kSize, true, "RING"), tube(0.5 + kSize, 1, false, "UPPER")};
+  const auto merged = merge(base, parts);
+  ASSERT_TRUE(merged);
+  for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_TRUE(says_seam(merged->report));
+  EXPECT_EQ(check(apply(base, parts, *merged)).free_edges, 2u * 30u);
+}
+
 }  // namespace
 }  // namespace meshgraft
