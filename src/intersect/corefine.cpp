@@ -101,7 +101,7 @@ class Corefiner {
     std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
-    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, rims_in(before), rank_};
+    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, {}, rims_in(before), rank_};
     if (auto fault = join(joining, component, largest_, groups_, options_, [&] { return advice(); })) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
@@ -112,6 +112,7 @@ class Corefiner {
         out_.replaced.push_back({node, vertex[x.value]});
     out_.covered.insert(out_.covered.end(), joining.covered.begin(), joining.covered.end());
     out_.joined_seams.insert(out_.joined_seams.end(), joining.joined_seams.begin(), joining.joined_seams.end());
+    out_.sewn.insert(out_.sewn.end(), joining.sewn.begin(), joining.sewn.end());
     out_.half_reached.insert(out_.half_reached.end(), joining.half_reached.begin(), joining.half_reached.end());
     out_.left_open.insert(out_.left_open.end(), joining.left_open.begin(), joining.left_open.end());
     return std::nullopt;

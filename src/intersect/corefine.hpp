@@ -99,6 +99,10 @@ struct Corefined {
     Vec3 at;
   };
   std::vector<JoinedSeam> joined_seams;  // in the order of the components
+
+  /// Where two free edges of one component, or pieces of them, have the same vertices at both ends now: pieces of open
+  /// seams, which are one edge. In the order of the components.
+  std::vector<std::array<Vec3, 2>> sewn;
 };
 
 /// Why components could not be made conforming; `merge` turns it into an Error with labels.

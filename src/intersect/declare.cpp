@@ -90,9 +90,12 @@ void note_seam(Meeting& m, VertexId x, VertexId y) {
     }
 }
 
-void declare_vertex_on_vertex(Meeting& m) {
-  for (const auto& [d, x, y] : near_vertices(m)) {
+void declare_vertex_on_vertex(Meeting& m, Seams& seams) {
+  for (const auto& [d, near, y] : near_vertices(m)) {
     if (m.has_symbol(1, y)) continue;
+    const auto crossing =
+        m.has_symbol(0, near) ? std::nullopt : seams.find_crossing(m.at(near), {vertex(near), vertex(y)});
+    const VertexId x = crossing ? m.symbols[*crossing].vertex : near;
     const bool is_taken = m.has_symbol(0, x);
     if (is_taken && would_collapse(m, x, y)) continue;
     m.has_closed_gap |= d > m.rule.noise();
@@ -231,8 +234,9 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
     const bool is_border = m.ends_on_borders && s == 0 && kind == Carrier::kEdge;
     if (l.is_gap && !is_border && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
     if (l.is_gap && kind == Carrier::kEdge && have_met(m, s, l.vertex, l.on)) continue;
-    if (const auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point))
-      if (seams.close(s, l.vertex, *other)) continue;
+    auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point);
+    if (!other) other = seams.find_crossing(l.point, symbol.on);
+    if (other && seams.close(s, l.vertex, *other)) continue;
     m.has_closed_gap |= l.is_gap;
     m.add(symbol);
     m.join_groups(l.vertex, 1 - s, symbol.on[1 - s]);
@@ -349,7 +353,7 @@ void declare_vertices(Meeting& m) {
   m.seams_of = seam_widths(m);
   declare_shared(m);
   Seams seams(m);
-  declare_vertex_on_vertex(m);
+  declare_vertex_on_vertex(m, seams);
   // A replaced vertex is where its replacement is; the geometry of side 1 follows at once.
   for (const auto& [y, x] : m.replaced) m.complex.position[y.value] = m.at(x);
   seams.close_at_symbols();

@@ -1,6 +1,7 @@
 #include "intersect/imprint.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/blocks.hpp"
 #include "geometry/quality.hpp"
@@ -29,6 +30,7 @@ class Imprinter {
   std::optional<ImprintFault> run(FaceMarks& marks) {
     if (auto fault = check_fixed_edges()) return fault;
     split_lines();
+    find_sewn();
     return rebuild_faces(marks);
   }
 
@@ -72,14 +74,39 @@ class Imprinter {
   void split_lines() {
     std::vector<Complex::Line> lines;
     for (const Complex::Line& line : m_.complex.lines) {
-      std::vector<VertexId> chain{by_[line.ends[0].value]};
-      const std::vector<VertexId> points = points_on(line.ends[0], line.ends[1]);
-      chain.insert(chain.end(), points.begin(), points.end());
-      chain.push_back(by_[line.ends[1].value]);
+      const std::vector<VertexId> chain = chain_on(line.ends[0], line.ends[1]);
       for (std::size_t i = 1; i < chain.size(); ++i)
         lines.push_back({{chain[i - 1], chain[i]}, line.parent, line.groups, line.attributes});
     }
     m_.complex.lines = std::move(lines);
+  }
+
+  /// The ends of the pieces of an edge.
+  [[nodiscard]] std::vector<VertexId> chain_on(VertexId from, VertexId to) const {
+    std::vector<VertexId> chain{by_[from.value]};
+    const std::vector<VertexId> points = points_on(from, to);
+    chain.insert(chain.end(), points.begin(), points.end());
+    chain.push_back(by_[to.value]);
+    return chain;
+  }
+
+  void find_sewn() {
+    using Piece = std::tuple<VertexId, VertexId, std::uint32_t>;  // its ends, ascending, and the component
+    for (const Side& side : m_.side) {
+      std::vector<Piece> pieces;
+      for (LocalEdge e = 0; e < side.n_edges(); ++e) {
+        if (!side.is_free(e)) continue;
+        const std::vector<VertexId> chain = chain_on(side.ends(e)[0], side.ends(e)[1]);
+        const std::uint32_t component = m_.complex.component[side.face(side.faces_at_edge(e).front()).value];
+        for (std::size_t i = 1; i < chain.size(); ++i) {
+          const auto [low, high] = std::minmax(chain[i - 1], chain[i]);
+          pieces.emplace_back(low, high, component);
+        }
+      }
+      std::ranges::sort(pieces);
+      for (auto at = pieces.begin(); (at = std::adjacent_find(at, pieces.end())) != pieces.end(); ++at)
+        m_.sewn.push_back({m_.at(std::get<0>(*at)), m_.at(std::get<1>(*at))});
+    }
   }
 
   [[nodiscard]] FaceToCut face_to_cut(std::size_t s, LocalFace f) const {

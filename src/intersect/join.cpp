@@ -229,6 +229,7 @@ class Joiner {
       fault->face = marks_.from[fault->face.value];
       return fault;
     }
+    joining_.sewn.insert(joining_.sewn.end(), m.sewn.begin(), m.sewn.end());
     if (auto doubled = find_doubled_face(complex_, marks_.active))
       return ImprintFault{std::move(doubled->first), marks_.from[doubled->second.value]};
     settled_ = !m.has_closed_gap;

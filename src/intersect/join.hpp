@@ -21,6 +21,7 @@ struct Joining {
   std::vector<Corefined::OpenGap> left_open;
   std::vector<Corefined::HalfReached> half_reached;
   std::vector<Corefined::JoinedSeam> joined_seams;
+  std::vector<std::array<Vec3, 2>> sewn;  // see Corefined
   std::vector<Corefined::Covered> covered;
   std::vector<VertexId> rims{};           // see Sides
   std::span<const std::uint32_t> rank{};  // by component: its place in the order in which they are joined

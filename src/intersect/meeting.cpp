@@ -198,6 +198,7 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
       {},
       {},
       {},
+      {},
       {}};
   m.pairs.reserve(pairs.size());
   for (const auto& [f, g] : pairs) m.pairs.push_back({m.side[0].find(f), m.side[1].find(g)});

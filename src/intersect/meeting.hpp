@@ -102,6 +102,7 @@ struct Meeting {
   std::vector<std::array<VertexId, 2>> replaced;     // vertex of side 1, of side 0 that it became
   std::vector<std::pair<VertexId, Vec3>> moved;      // vertex of side 1, where it was
   std::vector<Corefined::JoinedSeam> seams;          // see Seams
+  std::vector<std::array<Vec3, 2>> sewn;             // see Corefined; set by apply()
   bool has_closed_gap = false;                       // side 1 bends by more than the weld length
 
   /// Vertices with a free edge along the other side that is beyond the tolerance at its other end: only another edge

@@ -170,7 +170,30 @@ void Seams::index_new_symbols() {
       if (is_on_border(s, on[s]))
         for (const LocalFace f : faces_at(m_.side[1 - s], on[1 - s]))
           symbols_[{s, f}].push_back(static_cast<std::uint32_t>(n_indexed_));
+    if (is_on_border(0, on[0]) && is_on_border(1, on[1]))
+      crossings_.emplace(m_.at(m_.symbols[n_indexed_].vertex).x, static_cast<std::uint32_t>(n_indexed_));
   }
+}
+
+std::optional<std::uint32_t> Seams::find_crossing(Vec3 p, const std::array<Carrier, 2>& on) {
+  if (!is_on_border(0, on[0]) || !is_on_border(1, on[1])) return std::nullopt;
+  index_new_symbols();
+  double reach = std::numeric_limits<double>::infinity();
+  for (const std::size_t s : kSides) {
+    const double size = m_.size[m_.side[s].face(faces_at(m_.side[s], on[s]).front()).value];
+    reach = std::min(reach, widest(m_.rule.at(size), size));
+  }
+  std::optional<std::uint32_t> first;
+  const auto end = crossings_.upper_bound(p.x + reach);
+  for (auto at = crossings_.lower_bound(p.x - reach); at != end; ++at) {
+    const Symbol& symbol = m_.symbols[at->second];
+    const double apart = distance(p, m_.at(symbol.vertex));
+    const auto crosses = [&](std::size_t s) {
+      return apart <= width(s, on[s], symbol.on[s]) && !ends_in(s, on[s], symbol.vertex);
+    };
+    if (crosses(0) && crosses(1)) first = std::min(at->second, first.value_or(at->second));
+  }
+  return first;
 }
 
 std::optional<std::uint32_t> Seams::find(std::size_t s, const Carrier& own, const Carrier& other, Vec3 p) {
@@ -195,6 +218,11 @@ Symbol Seams::shared_or_new(Vec3 p, const std::array<Carrier, 2>& on) {
       note(s, on[s], symbol.vertex);
       return symbol;
     }
+  if (const auto i = find_crossing(p, on)) {
+    const VertexId v = m_.symbols[*i].vertex;
+    for (const std::size_t s : kSides) m_.join_groups(v, s, on[s]), note(s, on[s], v);
+    return {v, on};
+  }
   return {m_.new_vertex(p, on), on};
 }
 

@@ -26,6 +26,10 @@ class Seams {
   /// on another border of the seam than `own`; the first. Nothing if `own` is on no free edge.
   [[nodiscard]] std::optional<std::uint32_t> find(std::size_t s, const Carrier& own, const Carrier& other, Vec3 p);
 
+  /// The symbol within the snap length of p in which other borders of both seams meet, where `on` are borders of seams
+  /// that cross; the first.
+  [[nodiscard]] std::optional<std::uint32_t> find_crossing(Vec3 p, const std::array<Carrier, 2>& on);
+
   /// A symbol at p with these carriers, not yet added: at such a symbol, or with a new vertex.
   Symbol shared_or_new(Vec3 p, const std::array<Carrier, 2>& on);
 
@@ -51,6 +55,7 @@ class Seams {
   std::array<std::vector<std::uint8_t>, 2> on_free_edge_;  // by side and vertex
   /// By side on a border of which they lie, and face of the other side.
   std::map<std::pair<std::size_t, LocalFace>, std::vector<std::uint32_t>> symbols_;
+  std::multimap<double, std::uint32_t> crossings_;  // symbols on free edges of both sides, by the x of their places
   std::size_t n_indexed_ = 0;
 };
 

@@ -72,23 +72,6 @@ NodePair heirs(const Outcome& outcome, const FaceOnEdge& e) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// An edge by the nodes that its ends are now, and its component.
-using Heirs = std::pair<NodePair, std::uint32_t>;
-
-Heirs heirs_of(const Outcome& outcome, const FaceOnEdge& e) {
-  return {heirs(outcome, e), outcome.original.component[e.face.value]};
-}
-
-/// Pairs of free edges of one component that are one edge now: sides of a seam that got the same nodes at both ends.
-std::vector<Heirs> sewn_seams(const Outcome& outcome, std::span<const FaceOnEdge> edges) {
-  std::vector<Heirs> all, sewn;
-  for (const FaceOnEdge& e : edges) all.push_back(heirs_of(outcome, e));
-  std::ranges::sort(all);
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (all[i] == all[i - 1] && (sewn.empty() || sewn.back() != all[i])) sewn.push_back(all[i]);
-  return sewn;
-}
-
 /// Vertices of the final complex that changed, and those that nodes of others became one with.
 std::vector<std::uint8_t> changed_or_heir(const Outcome& outcome) {
   std::vector<NodeRef> by;
@@ -118,15 +101,14 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   const std::vector<NodePair> old_keys = keys(before, old_edges);
   const std::vector<NodePair> left_keys = keys(after, free_edges(after, changed_or_heir(outcome)));
 
-  const std::vector<Heirs> sewn = sewn_seams(outcome, old_edges);
-
   // What was dropped takes free edges with it and leaves new ones.
   std::vector<Segment> old_segments = outcome.dropped.borders, new_segments = outcome.dropped.free_edges;
   for (const FaceOnEdge& e : old_edges) old_segments.push_back({outcome.moved(e.low), outcome.moved(e.high)});
   for (const FaceOnEdge& e : new_edges) new_segments.push_back(segment(after, e.low, e.high));
   std::vector<Segment> joined;
   for (const JunctionEdge& e : junction_of(after).edges) joined.push_back(segment(after, e.ends[0], e.ends[1]));
-  const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments)), is_joined(std::move(joined));
+  const Segments was_free(std::move(old_segments)), is_free(std::move(new_segments)), is_joined(std::move(joined)),
+      is_sewn(outcome.corefined.sewn);
 
   const auto is_known = [](const NodePair& nodes, std::span<const NodePair> known) {
     return nodes[0].valid() && nodes[1].valid() && std::ranges::binary_search(known, nodes);
@@ -145,7 +127,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
     const Segment s{outcome.moved(e.low), outcome.moved(e.high)};
     const double near = allowed(before, e, s);
     return is_known(heirs(outcome, e), left_keys) || std::ranges::all_of(places_on(s), [&](Vec3 p) {
-             return is_free.are_near(p, near) || is_joined.are_near(p, near, max_distance);
+             return is_free.are_near(p, near) || is_joined.are_near(p, near, max_distance) || is_sewn.are_near(p, near);
            });
   };
   // An edge whose ends became one with others, where nothing else changed.
@@ -157,8 +139,7 @@ FreeEdgeChanges free_edge_changes(const Outcome& outcome, const Tolerance& toler
   for (const FaceOnEdge& e : new_edges)
     if (!was_there(e)) changes.cracks.push_back(e);
   for (const FaceOnEdge& e : old_edges)
-    if (!is_covered(e) && !is_there(e) && !went_with_its_face(outcome, before.parent[e.face.value]) &&
-        !std::ranges::binary_search(sewn, heirs_of(outcome, e)))
+    if (!is_covered(e) && !is_there(e) && !went_with_its_face(outcome, before.parent[e.face.value]))
       changes.closed.push_back(e);
   return changes;
 }

@@ -106,6 +106,25 @@ TEST(Seams, KeepTheirNodesBesideTheJunction) {
   }
 }
 
+TEST(Seams, OfBothMeshesShareTheNodeInWhichTheyCross) {
+  for (const double width : {0.0, 1e-10, 1e-7, 1e-4}) {
+    const Model wall = split_plate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, width, kSize);
+    for (const double y : {1.03, 1.0})
+      for (const double x : {0.5, 0.5 + 0.5 * width})
+        for (const double below : {0.3, 0.33}) {
+          const Model part = split_plate({x, y, -below}, {1, 0, 0}, {0, 0, 0.6}, width, kSize);
+          const auto merged = merge(wall, std::span(&part, 1));
+          SCOPED_TRACE(testing::Message() << width << ' ' << y << ' ' << x << ' ' << below);
+          if (!merged) {
+            ADD_FAILURE() << to_string(merged.error());
+            continue;
+          }
+          for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
+          EXPECT_TRUE(says_seam(merged->report));
+        }
+  }
+}
+
 constexpr double kRadius = 0.5;
 
 /// Around the z axis, with or without an open seam along it.
@@ -127,6 +146,24 @@ TEST(Seams, OfOneEdgeAreSewnWhereBothEndsAreJoined) {
   for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
   EXPECT_TRUE(says_seam(merged->report));
   EXPECT_EQ(check(apply(base, parts, *merged)).free_edges, 2u * 30u);
+}
+
+TEST(Seams, AreSewnBetweenTwoPlatesThatCrossOneEdge) {
+  scenes::Surface s;
+  s.at = [](double u, double v) {
+    const double angle = 2 * std::numbers::pi * u;
+    return Vec3{kRadius * std::cos(angle), kRadius * std::sin(angle), 0.9 * v};
+  };
+  s.nu = 30, s.nv = 3, s.group = "TUBE";
+  const Model base = scenes::surface(s);
+  const auto wall = [](double z, const std::string& group) {
+    return scenes::plate({-1, -1, z}, {2, 0, 0}, {0, 2, 0}, kSize, group);
+  };
+  const std::array<Model, 2> parts{wall(0.38, "LOWER"), wall(0.52, "UPPER")};
+  const auto merged = merge(base, parts);
+  ASSERT_TRUE(merged);
+  for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_TRUE(says_seam(merged->report));
 }
 
 }  // namespace
