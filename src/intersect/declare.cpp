@@ -67,7 +67,9 @@ std::vector<VertexPair> near_vertices(const Meeting& m) {
 /// Several vertices of side 1 may become one of side 0 (open seams), but not two ends of an edge.
 bool would_collapse(const Meeting& m, VertexId x, VertexId y) {
   for (const Symbol& s : m.symbols)
-    if (s.vertex == x && m.side[1].find(VertexId(std::size_t{s.on[1].id}), y) != kNowhere) return true;
+    if (s.vertex == x && s.on[1].kind == Carrier::kVertex &&
+        m.side[1].find(VertexId(std::size_t{s.on[1].id}), y) != kNowhere)
+      return true;
   return false;
 }
 
@@ -90,17 +92,24 @@ void note_seam(Meeting& m, VertexId x, VertexId y) {
     }
 }
 
+/// Vertex y of side 1 becomes x of side 0, and is where that is, if it may.
+bool becomes(Meeting& m, VertexId x, VertexId y) {
+  if (m.has_symbol(1, y) || m.complex.state[y.value] == VertexState::kFrozen) return false;
+  const bool is_taken = m.has_symbol(0, x);
+  if (is_taken && would_collapse(m, x, y)) return false;
+  m.has_closed_gap |= distance(m.at(x), m.at(y)) > m.rule.noise();
+  replace(m, x, y);
+  if (is_taken) note_seam(m, x, y);
+  m.complex.position[y.value] = m.at(x);
+  return true;
+}
+
 void declare_vertex_on_vertex(Meeting& m, Seams& seams) {
   for (const auto& [d, near, y] : near_vertices(m)) {
     if (m.has_symbol(1, y)) continue;
     const auto crossing =
         m.has_symbol(0, near) ? std::nullopt : seams.find_crossing(m.at(near), {vertex(near), vertex(y)});
-    const VertexId x = crossing ? m.symbols[*crossing].vertex : near;
-    const bool is_taken = m.has_symbol(0, x);
-    if (is_taken && would_collapse(m, x, y)) continue;
-    m.has_closed_gap |= d > m.rule.noise();
-    replace(m, x, y);
-    if (is_taken) note_seam(m, x, y);
+    becomes(m, crossing ? m.symbols[*crossing].vertex : near, y);
   }
 }
 
@@ -112,7 +121,21 @@ struct Landing {
   double t = 0;          // on an edge
   Vec3 point;
   bool is_gap = false;  // farther away than the weld length
+  VertexId beside;      // of the other side, if it lands beside one
+  bool is_at = false;   // nearer to that than the weld length
 };
+
+/// Lands it beside the nearest of `vertices`, those of what it lands on, if that is near. What is there takes the
+/// vertex as a whole: else the edges and faces at the vertex meet it again, about as near as the weld length, where
+/// some of these meetings would be declared and others not.
+Landing landed(Landing l, const Meeting& m, std::span<const VertexId> vertices, double weld) {
+  constexpr double kBeside = 10;  // weld lengths: what meets at more than a tenth does so farther away
+  const auto distance_of = [&](VertexId v) { return distance(m.at(v), l.point); };
+  const VertexId nearest = *std::ranges::min_element(vertices, {}, distance_of);
+  if (distance_of(nearest) <= kBeside * weld) l.beside = nearest;
+  l.is_at = distance_of(nearest) <= weld;
+  return l;
+}
 
 /// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order.
 std::vector<Landing> nearest_of_each(std::vector<Landing> found) {
@@ -147,15 +170,13 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
         if (c.t <= 0 || c.t >= 1 || d > gap) continue;
-        // At an end that it did not become: the two would be in one place.
-        if (std::min(distance(c.point, m.at(low)), distance(c.point, m.at(high))) <= snap.weld) continue;
         if (d > near && !other.is_feature_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
         if (d > near && m.ending.vertex[s][v.value] == 0 &&
             !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d))
           continue;
-        found.push_back({v, d, e, c.t, c.point, d > snap.weld});
+        found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false}, m, other.ends(e), snap.weld));
       }
     }
   }
@@ -174,10 +195,9 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
       if (std::abs(dot(n, m.at(v) - t[0])) > gap * norm(n)) continue;
       const TrianglePoint c = closest_on_triangle(m.at(v), t);
       const double d = distance(m.at(v), c.point);
-      // Not at a corner that it did not become: the two would be in one place.
-      const bool at_corner = std::ranges::any_of(t, [&](Vec3 q) { return distance(q, c.point) <= snap.weld; });
-      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap && !at_corner)
-        found.push_back({v, d, p[1 - s], 0, c.point, d > snap.weld});
+      if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap)
+        found.push_back(landed({v, d, p[1 - s], 0, c.point, d > snap.weld, {}, false}, m,
+                               m.side[1 - s].corners(p[1 - s]), snap.weld));
     }
   }
   return nearest_of_each(std::move(found));
@@ -234,6 +254,8 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
     const bool is_border = m.ends_on_borders && s == 0 && kind == Carrier::kEdge;
     if (l.is_gap && !is_border && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
     if (l.is_gap && kind == Carrier::kEdge && have_met(m, s, l.vertex, l.on)) continue;
+    if (l.beside.valid() && becomes(m, s == 0 ? l.vertex : l.beside, s == 0 ? l.beside : l.vertex)) continue;
+    if (l.is_at) continue;  // the two would be in one place
     auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point);
     if (!other) other = seams.find_crossing(l.point, symbol.on);
     if (other && seams.close(s, l.vertex, *other)) continue;
@@ -316,6 +338,10 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         if (!inside || apart > gap || m.share_end(e, f)) continue;
         const bool is_gap = apart > close;
         const Vec3 on_e = near.first.point, on_f = near.second.point;
+        // At an end that did not become what it is beside: the two would be in one place.
+        if (std::min({distance(on_e, m.at(a)), distance(on_e, m.at(b)), distance(on_f, m.at(c)),
+                      distance(on_f, m.at(d))}) <= snap.weld)
+          continue;
         if (is_gap && !m.side[0].is_feature_edge(e) &&
             !is_straight_across(m, 0, m.side[0].faces_at_edge(e), on_e, on_f, apart))
           continue;
@@ -354,8 +380,6 @@ void declare_vertices(Meeting& m) {
   declare_shared(m);
   Seams seams(m);
   declare_vertex_on_vertex(m, seams);
-  // A replaced vertex is where its replacement is; the geometry of side 1 follows at once.
-  for (const auto& [y, x] : m.replaced) m.complex.position[y.value] = m.at(x);
   seams.close_at_symbols();
   land(m, seams, 1, landings_on_edges(m, 1), Carrier::kEdge);
   land(m, seams, 1, landings_on_faces(m, 1), Carrier::kFace);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/angles.hpp"
@@ -20,24 +22,64 @@ Model face(Vec3 a, Vec3 b, Vec3 c) {
   return builder.build("face");
 }
 
+/// All pairs of faces of two meshes with edges of about unit length.
+struct Met {
+  Met(const Model& below, const Model& above, double tolerance)
+      : complex(checks::complex_of({below, above}, sets)), size(complex.n_faces(), 1) {
+    options.tolerance = {tolerance, false};
+    for (std::size_t f = 0; f < complex.n_faces(); ++f) {
+      first.push_back(complex.component[f] == 0), second.push_back(complex.component[f] != 0);
+      for (std::size_t g = 0; g < complex.n_faces(); ++g)
+        if (complex.component[f] == 0 && complex.component[g] != 0) pairs.push_back({FaceId(f), FaceId(g)});
+    }
+    meeting.emplace(
+        make_meeting(complex, sets, size, {}, SnapRule(4, options, true), pairs, first, second, {radians(30), true}));
+  }
+  [[nodiscard]] VertexId vertex(std::size_t component, Vec3 p) const {
+    for (std::size_t f = 0; f < complex.n_faces(); ++f)
+      for (const VertexId v : complex.face[f])
+        if (complex.component[f] == component && complex.position[v.value] == p) return v;
+    return {};
+  }
+
+  GroupSets sets;
+  Complex complex;
+  std::vector<double> size;
+  CorefineOptions options;
+  std::vector<std::array<FaceId, 2>> pairs;
+  std::vector<std::uint8_t> first, second;
+  std::optional<Meeting> meeting;
+};
+
 /// What is above a corner that it cannot become, as the edge between them would collapse, has its foot in the corner:
 /// whether rounding puts that inside the face is chance, and a vertex there would be in one place with the corner.
 TEST(Meeting, NothingLandsInAFaceAtItsCorner) {
-  const Model below = face({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  const Model above = face({0, 0, 0}, {kOff, kOff, 0.5}, {-3, -3, 1});
-  GroupSets sets;
-  Complex complex = checks::complex_of({below, above}, sets);
-  CorefineOptions options;
-  options.tolerance = {0.6, false};
-  const std::vector<double> size(complex.n_faces(), 4);
-  const SnapRule rule(4, options, true);
-  const std::vector<std::array<FaceId, 2>> pairs{{FaceId(0), FaceId(1)}};
-  const std::vector<std::uint8_t> first{1, 0}, second{0, 1};
-  Meeting m = make_meeting(complex, sets, size, {}, rule, pairs, first, second, {radians(30), true});
-  const VertexId over = complex.face[1][1];
+  Met met(face({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), face({0, 0, 0}, {kOff, kOff, 0.5}, {-3, -3, 1}), 0.6);
+  met.size.assign(met.size.size(), 4);
+  Meeting& m = *met.meeting;
+  const VertexId over = met.vertex(1, {kOff, kOff, 0.5});
   declare_vertices(m);
   EXPECT_FALSE(m.any_symbol(1, over, [](const Symbol& s) { return s.on[0].kind == Carrier::kFace; }));
-  EXPECT_EQ(complex.position[over.value].z, 0.5);
+  EXPECT_EQ(m.at(over).z, 0.5);
+}
+
+/// The end of a stiffener is drawn along the floor to the foot of a wall, beside a node of that: as another place it
+/// would be met by all edges of the node, a few weld lengths away.
+TEST(Meeting, WhatLandsOnAnEdgeBesideItsEndLandsOnThat) {
+  constexpr double kBeside = 5e-6, kGap = 0.05;
+  ModelBuilder builder;
+  const NodeId foot = builder.add_node({0, 0, 0}), left = builder.add_node({-1, 0, 0}),
+               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, 0}),
+               back = builder.add_node({0, 1, 0}), top = builder.add_node({0, 0, 1});
+  for (const auto& [a, b] :
+       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {right, top}, {top, left}})
+    builder.add_to_group("F", builder.add_face(foot, a, b));
+  Met met(builder.build("floor and wall"), face({kBeside, kGap, 0}, {kBeside, 1, 0}, {kBeside, 0.5, 1}), 0.1);
+  Meeting& m = *met.meeting;
+  const VertexId end = met.vertex(1, {kBeside, kGap, 0}), node = met.vertex(0, {0, 0, 0});
+  declare_vertices(m);
+  EXPECT_TRUE(m.any_symbol(1, end, [&](const Symbol& s) { return s.vertex == node; }));
+  EXPECT_EQ(m.at(end), m.at(node));
 }
 
 }  // namespace

@@ -148,9 +148,11 @@ TEST_P(RandomHull, IsAsDesignedHoweverItsPartsMissEachOther) {
     }
 }
 
-// Of the first 60, seeds 14, 23, 32, 36 and 44 are not yet so: two are refused, in the others a stringer bends a
-// little.
+// Of the first 60, seeds 14, 32, 36 and 44 are not yet so: one is refused, in the others a stringer bends a little.
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomHull, testing::Range(0u, 14u));
+
+// A corner of a stringer is drawn beside a node of the line in which the skin and a frame have met.
+INSTANTIATE_TEST_SUITE_P(BesideANode, RandomHull, testing::Values(23u));
 
 }  // namespace
 }  // namespace meshgraft
