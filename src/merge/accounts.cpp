@@ -9,7 +9,7 @@ Accounts::Accounts(Inputs inputs) {
   making_.run([this, inputs] { labels_ = labels_of(inputs); });
 }
 
-Accounts::~Accounts() {
+Accounts::~Accounts() noexcept {
   try {
     making_.wait();
   } catch (...) {  // nobody has asked for them

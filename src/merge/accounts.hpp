@@ -15,7 +15,7 @@ namespace meshgraft {
 class Accounts {
  public:
   explicit Accounts(Inputs inputs);
-  ~Accounts();
+  ~Accounts() noexcept;  // said, as that of a task group may throw
   Accounts(const Accounts&) = delete;
   Accounts& operator=(const Accounts&) = delete;
 

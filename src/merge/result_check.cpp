@@ -288,11 +288,11 @@ class ResultCheck {
       const auto& [ends, parent] = keys[k];
       const Vec3 at = midpoint(complex_.position[ends[0].value], complex_.position[ends[1].value]);
       const Place place = place_of(*outcome_.inputs[parent.input], parent.element);
-      for (std::size_t j = k; j-- > 0 && keys[j].first == ends;) {
-        const ElementRef other = keys[j].second;
+      for (std::size_t j = k; j > 0 && keys[j - 1].first == ends; --j) {
+        const ElementRef other = keys[j - 1].second;
         const std::string both = text_of(outcome_.inputs, other) + " and " + text_of(outcome_.inputs, parent);
         if (other == parent || (other.input == parent.input && !were_in_one_place(other, parent))) {
-          if (j + 1 == k)
+          if (j == k)
             findings.add("two 1D elements around " + text_of(at) + ", of " + both + ", are on the same nodes", place);
         } else if (type_of(other) == type_of(parent) && !were_on_the_same_nodes(other, parent) && n_met++ == 0) {
           warning = {"doubled-line", both + " lie on one edge at " + text_of(at), place};
