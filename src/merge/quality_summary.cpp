@@ -68,7 +68,9 @@ bool is_unavoidable(const BadFace& bad) {
   return bad.cause.kind == Cause::Kind::kInputAngle || bad.cause.kind == Cause::Kind::kInputDetail;
 }
 
-bool is_excused(const BadFace& bad) { return is_unavoidable(bad) && bad.q >= kExcused; }
+bool is_excused(const BadFace& bad) {
+  return (is_unavoidable(bad) || bad.cause.kind == Cause::Kind::kFixedEdges) && bad.q >= kExcused;
+}
 
 QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, double min_quality) {
   const Complex& complex = outcome.final_complex;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kSharpInput = 35;  // degrees between two curves below which the face in the corner suffers
 constexpr double kWideInput = 115;  // and above which it does if nothing divides it
+constexpr double kUnlike = 4;       // ratio of edges at a corner from which no face there need have Q 0.5
 constexpr double kTooNear = 0.5;    // share of the wanted length below which fixed vertices are too near
 
 double angle_deg(Vec3 at, Vec3 a, Vec3 b) {
@@ -65,6 +67,29 @@ std::optional<double> least_fixed_gap(const LocalMesh& mesh, const std::array<Ve
   return least;
 }
 
+/// Length of an edge of a line that is not divided, and the least of what is to be beside it: an edge that stays as it
+/// is, or one of the wanted length. Of those that meet in a corner of the face the least alike.
+std::array<double, 2> least_alike_edges(Editor& editor, const LocalFace& face) {
+  const LocalMesh& mesh = editor.mesh();
+  std::array<double, 2> least_alike{1, 1};
+  for (const VertexId v : face.v) {
+    if (!mesh.vertex(v).fixed) continue;
+    double longest = 0, shortest = editor.size(v);
+    for (const FaceId f : mesh.star(v)) {
+      const LocalFace& at = mesh.face(f);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const VertexId a = at.v[k], b = at.v[(k + 1) % 3];
+        if ((a != v && b != v) || !mesh.vertex(a).fixed || !mesh.vertex(b).fixed) continue;
+        const double length = distance(mesh.position(a), mesh.position(b));
+        shortest = std::min(shortest, length);
+        if (at.curve[k].valid() && editor.reference().curve(at.curve[k]).fixed) longest = std::max(longest, length);
+      }
+    }
+    if (longest * least_alike[1] > shortest * least_alike[0]) least_alike = {longest, shortest};
+  }
+  return least_alike;
+}
+
 double input_edge_length(const Editor& editor, FaceId f) {
   const Foot foot = editor.reference().project(editor.mesh().face(f).sheet, centroid(editor.mesh().corners(f)), {});
   return editor.reference().edge_length(foot.face);
@@ -90,6 +115,9 @@ Cause cause_of(Editor& editor, FaceId f) {
     if (const auto gap = least_fixed_gap(mesh, face.v); gap && *gap < fine)
       return {Kind::kInputDetail, fmt::format("fixed nodes only {:.3g} apart", *gap)};
   }
+  if (const auto [longer, shorter] = least_alike_edges(editor, face); longer > kUnlike * shorter)
+    return {Kind::kFixedEdges,
+            fmt::format("an edge of {:.3g} that stays as it is in the input, beside edges of {:.3g}", longer, shorter)};
   const auto fixed = [&](std::size_t k) { return mesh.vertex(face.v[k]).fixed; };
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t l = (k + 1) % 3;

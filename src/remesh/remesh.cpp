@@ -6,6 +6,7 @@
 #include "remesh/resample.hpp"
 #include "remesh/result.hpp"
 #include "remesh/sheets.hpp"
+#include "remesh/zone_end.hpp"
 
 namespace meshgraft {
 namespace {
@@ -50,7 +51,7 @@ Remeshed remesh(const Complex& complex, const Brep& brep, const Sizing& sizing,
 
 Remeshed remesh(const Complex& complex, const Brep& brep, const SizeField& size,
                 const std::vector<std::uint8_t>& in_zone, GroupSets& groups, const RemeshOptions& options) {
-  return remesh(complex, brep, sizing_of(size), in_zone, groups, options);
+  return remesh(complex, brep, sizing_in_zone(complex, brep, size, in_zone), in_zone, groups, options);
 }
 
 }  // namespace meshgraft

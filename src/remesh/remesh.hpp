@@ -29,6 +29,7 @@ struct Cause {
     kNone,         // none was found
     kInputAngle,   // two curves of the input make the angle of the face: no mesh is better there
     kInputDetail,  // nodes that must stay are nearer to each other than the sizes are refined for
+    kFixedEdges,   // a long edge that must stay is beside short ones
     kFixedNodes,   // nodes that must stay are too near to each other
     kZoneEnd,      // nodes on the boundary of the zone hold it
     kStrip,        // it lies between two curves

@@ -166,5 +166,37 @@ TEST(Seams, AreSewnBetweenTwoPlatesThatCrossOneEdge) {
   EXPECT_TRUE(says_seam(merged->report));
 }
 
+/// Of narrow faces, as programs for drawing write tubes: many sides, long facets, and a seam.
+Model tube_of_narrow_faces(bool has_seam, std::size_t n_sides) {
+  scenes::Surface s;
+  s.at = [](double u, double v) {
+    const double angle = 2 * std::numbers::pi * u;
+    return Vec3{kRadius * std::cos(angle), kRadius * std::sin(angle), 5 * v};
+  };
+  s.nu = n_sides, s.nv = 11, s.closed_u = !has_seam, s.group = "TUBE";
+  return scenes::surface(s);
+}
+
+TEST(Seams, OfNarrowFacesAreTheCauseOfWhatIsPoorBesideThem) {
+  const Model base = tube_of_narrow_faces(true, 36);
+  const Model part = scenes::plate({-0.8, -0.8, 2.4}, {1.6, 0, 0}, {0, 1.6, 0}, 2 * kSize, "WALL");
+  const auto merged = merge(base, std::span(&part, 1));
+  ASSERT_TRUE(merged);
+  for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
+  for (const Warning& w : merged->report.warnings)
+    if (w.name == "poor-face") {
+      EXPECT_NE(w.what.find("an edge of 0.455 that stays as it is in the input"), std::string::npos) << w.what;
+    }
+}
+
+TEST(Zone, MayEndAcrossNarrowFaces) {
+  const Model base = tube_of_narrow_faces(false, 72);
+  const Model part = scenes::plate({-0.8, -0.8, 2.4}, {1.6, 0, 0}, {0, 1.6, 0}, 2 * kSize, "WALL");
+  const auto merged = merge(base, std::span(&part, 1));
+  ASSERT_TRUE(merged);
+  for (const Error& e : merged->report.broken_promises) ADD_FAILURE() << to_string(e);
+  EXPECT_EQ(merged->report.quality.below, 0u);
+}
+
 }  // namespace
 }  // namespace meshgraft
