@@ -5,6 +5,7 @@
 
 #include "core/blocks.hpp"
 #include "core/distinct.hpp"
+#include "core/text.hpp"
 #include "geometry/quality.hpp"
 #include "intersect/assembly.hpp"
 #include "intersect/component_pairs.hpp"
@@ -44,7 +45,7 @@ class Corefiner {
         assembly_(complex, size_) {}
 
   tl::expected<Corefined, JunctionFault> run() {
-    if (auto fault = find_thin_parts()) return tl::unexpected(std::move(*fault));
+    if (auto fault = find_thin_parts(options_)) return tl::unexpected(std::move(*fault));
     if (options_.ends_on_borders) draw_rims();
     std::vector<std::uint32_t> order(rank_.size());
     for (std::uint32_t component = 0; component < order.size(); ++component) order[rank_[component]] = component;
@@ -72,16 +73,16 @@ class Corefiner {
     near_ = near_faces(complex_, size_, snap, rank_);
   }
 
-  [[nodiscard]] std::optional<JunctionFault> find_thin_parts() const {
+  [[nodiscard]] std::optional<JunctionFault> find_thin_parts(const CorefineOptions& options) const {
     std::vector<std::vector<FaceId>> near(near_.size());  // by component: its faces near others
     for (std::size_t c = 0; c < near_.size(); ++c) {
       near[c].insert(near[c].end(), near_[c].own.begin(), near_[c].own.end());
       for (const FaceId f : near_[c].earlier) near[complex_.component[f.value]].push_back(f);
     }
-    const SnapRule snap(largest_, options_, true);
+    const SnapRule snap(largest_, options, true);
     for (std::vector<FaceId>& faces : near) {
       make_distinct(faces);
-      if (auto fault = find_thin_part(complex_, faces, size_, {options_, snap})) return fault;
+      if (auto fault = find_thin_part(complex_, faces, size_, {options, snap})) return fault;
     }
     return std::nullopt;
   }
@@ -123,7 +124,14 @@ class Corefiner {
     std::vector<std::array<std::vector<FaceId>, 2>> sides;
     for (const NearFaces& near : near_)
       if (!near.own.empty()) sides.push_back({near.earlier, near.own});
-    return laying_advice(complex_, sides, size_, SnapRule(largest_, options_, true), options_);
+    auto laying = laying_advice(complex_, sides, size_, SnapRule(largest_, options_, true), options_);
+    if (!laying) return std::nullopt;
+    CorefineOptions advised = options_;
+    advised.tolerance = {laying->tolerance, false}, advised.contact_angle = laying->contact_angle;
+    const auto thin = find_thin_parts(advised);
+    if (!thin) return std::move(laying->text);
+    return "no --tolerance lays these faces on each other: it would be " + text_of(laying->tolerance) +
+           ", and weld two sides of one mesh at " + text_of(thin->at) + "; mend the mesh there, or move the part";
   }
 
   /// Call only once all are known, ascending.

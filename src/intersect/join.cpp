@@ -71,7 +71,9 @@ class Joiner {
       if (options_.leaves_pockets) return std::nullopt;
       const std::vector<Pocket> pockets = find_pockets(complex_, active_faces(), marks_.size);
       if (pockets.empty()) return std::nullopt;
-      return ImprintFault{with_advice(pocket_fault(complex_, marks_.size, pockets.front())), {}};
+      // Closing gaps leaves flat ones beside it.
+      const Pocket& deepest = *std::ranges::max_element(pockets, {}, &Pocket::depth);
+      return ImprintFault{with_advice(pocket_fault(complex_, marks_.size, deepest)), {}};
     }
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }

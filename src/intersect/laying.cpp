@@ -59,10 +59,10 @@ Laying laying(const Complex& complex, const std::array<std::vector<FaceId>, 2>& 
 
 }  // namespace
 
-std::optional<std::string> laying_advice(const Complex& complex,
-                                         std::span<const std::array<std::vector<FaceId>, 2>> all,
-                                         std::span<const double> size, const SnapRule& snap,
-                                         const CorefineOptions& options) {
+std::optional<LayingAdvice> laying_advice(const Complex& complex,
+                                          std::span<const std::array<std::vector<FaceId>, 2>> all,
+                                          std::span<const double> size, const SnapRule& snap,
+                                          const CorefineOptions& options) {
   CorefineOptions wide = options;
   wide.tolerance = {kFarthest, true}, wide.contact_angle = kSteepest;
   Laying needed{0, options.contact_angle};
@@ -72,11 +72,11 @@ std::optional<std::string> laying_advice(const Complex& complex,
     needed.angle = std::max(needed.angle, of_sides.angle);
   }
   if (needed.distance <= 0) return std::nullopt;
-  std::string advice =
+  const double tolerance = kRoom * needed.distance, degrees = std::ceil(needed.angle * kInDegrees);
+  std::string text =
       "if both are to be one surface there, as a bolt and the wall of its hole, lay them on each other: ";
-  advice += "--tolerance " + text_of(kRoom * needed.distance);
-  advice += " --angle " + text_of(std::ceil(needed.angle * kInDegrees));
-  return advice;
+  text += "--tolerance " + text_of(tolerance) + " --angle " + text_of(degrees);
+  return LayingAdvice{tolerance, radians(degrees), std::move(text)};
 }
 
 }  // namespace meshgraft

@@ -55,6 +55,11 @@ std::string hint_for(const BadFace* bad, OperationKind kind, bool keeps) {
   if (between_lines && kind == OperationKind::kCut)
     return "where the tool is meant to run along a line, give a larger --tolerance, or move it; else another --size or "
            "--bandwidth, a smaller --min-quality, or --allow-poor";
+  if (bad != nullptr && is_unavoidable(*bad))
+    return "the meshes are that narrow there, which no --size or --bandwidth changes: where two lines are meant to be "
+           "one, make them one in the input (`meshgraft check` lists its poor triangles), give a larger --tolerance, "
+           "or "
+           "--trim beyond=LENGTH for what sticks out; else give --allow-poor";
   if (between_lines)
     return "where two lines are meant to be one, give a larger --tolerance, or --trim beyond=LENGTH for what sticks "
            "out; else " +

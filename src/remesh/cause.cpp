@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/quality.hpp"
@@ -90,6 +91,11 @@ std::array<double, 2> least_alike_edges(Editor& editor, const LocalFace& face) {
   return least_alike;
 }
 
+std::string input_angle(double degrees) {
+  return degrees < 1 ? fmt::format("input angle of {:.2g} degrees", degrees)
+                     : fmt::format("input angle of {:.0f} degrees", degrees);
+}
+
 double input_edge_length(const Editor& editor, FaceId f) {
   const Foot foot = editor.reference().project(editor.mesh().face(f).sheet, centroid(editor.mesh().corners(f)), {});
   return editor.reference().edge_length(foot.face);
@@ -105,11 +111,10 @@ Cause cause_of(Editor& editor, FaceId f) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!face.curve[k].valid() || !face.curve[(k + 2) % 3].valid()) continue;
     const double angle = angle_deg(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
-    if (angle < kSharpInput || angle > kWideInput)
-      return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", angle)};
+    if (angle < kSharpInput || angle > kWideInput) return {Kind::kInputAngle, input_angle(angle)};
   }
   if (const auto angle = least_corner_deg(editor, face); angle && *angle < kSharpInput)
-    return {Kind::kInputAngle, fmt::format("input angle of {:.0f} degrees", *angle)};
+    return {Kind::kInputAngle, input_angle(*angle)};
   if (editor.options().replaces_input) {
     const double fine = SizeOptions{}.gap_floor * input_edge_length(editor, f);
     if (const auto gap = least_fixed_gap(mesh, face.v); gap && *gap < fine)

@@ -217,6 +217,14 @@ TEST(Corefine, SurfacesThatTouchInASpotSmallerThanTheirFacesAreAFaultThatSaysHow
   EXPECT_NE(j.result.error().hint.find("deeper in"), std::string::npos);
 }
 
+TEST(Corefine, OfSuchSpotsTheDeepestIsTold) {
+  const Model second = scenes::moved(cap(0.03, 0.1), [](Vec3 p) { return p + Vec3{8, 0, 0}; });
+  const Joined j = join(
+      {plate({0, 0, 0}, {20, 0, 0}, {0, 10, 0}, 1, "WALL", 0.2), scenes::together(std::array{cap(0.02, 0.1), second})});
+  ASSERT_FALSE(j.result.has_value());
+  EXPECT_GT(j.result.error().at.x, 10) << j.result.error().what;
+}
+
 TEST(Corefine, SurfacesAtASmallAngleAreJoinedWhereTheSpotHoldsFaces) {
   EXPECT_TRUE(join({wall(), cap(0.15, 0.1)}).result.has_value());
   CorefineOptions crossing;

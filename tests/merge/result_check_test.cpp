@@ -286,6 +286,11 @@ TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {
   const QualityVerdict excused = quality_of(m.outcome(), bad, 0.5);
   EXPECT_TRUE(excused.broken.empty());
   EXPECT_EQ(excused.warnings.size(), 1u);
+  // What no angle excuses is no matter of the size either.
+  for (BadFace& b : bad) b.q = 0.01;
+  const QualityVerdict narrow = quality_of(m.outcome(), bad, 0.5);
+  ASSERT_EQ(narrow.broken.size(), 1u);
+  EXPECT_NE(narrow.broken[0].hint.find("no --size or --bandwidth"), std::string::npos) << narrow.broken[0].hint;
 }
 
 }  // namespace

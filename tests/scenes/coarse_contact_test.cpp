@@ -233,5 +233,38 @@ TEST(CoarseContact, TheOptionsThatARefusalNamesMakeOneOfBoth) {
   }
 }
 
+/// A wall as above with a lining inside, turned over at its upper rim: two sides of one mesh, `depth` apart at the
+/// corners.
+Model lined_wall(const std::vector<double>& heights, double depth) {
+  ModelBuilder builder;
+  std::vector<std::array<NodeId, 4>> row;
+  const std::size_t n = heights.size();
+  for (std::size_t j = 0; j < 2 * n; ++j) {
+    row.emplace_back();
+    const std::size_t at = j < n ? j : 2 * n - 1 - j;
+    for (std::size_t i = 0; i < 4; ++i)
+      row[j][i] = builder.add_node(around(j < n ? kRadius : kRadius - depth, 2 * i + at, heights[at]));
+  }
+  for (std::size_t j = 1; j < row.size(); ++j)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t next = (i + 1) % 4;
+      if (j <= n)
+        builder.add_face(row[j - 1][i], row[j - 1][next], row[j][i]),
+            builder.add_face(row[j][i], row[j - 1][next], row[j][next]);
+      else
+        builder.add_face(row[j - 1][i], row[j - 1][next], row[j][next]),
+            builder.add_face(row[j - 1][i], row[j][next], row[j][i]);
+    }
+  return builder.build("BOLT");
+}
+
+TEST(CoarseContact, ARefusalNamesNoOptionsThatWouldWeldTwoSidesOfOneMesh) {
+  const Model base = drilled_plate(), part = lined_wall({-4, 4.5, 13, 21.5, 30}, 0.6);
+  const auto refused = merge(base, std::span(&part, 1));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().hint.find("lay them on each other"), std::string::npos) << to_string(refused.error());
+  EXPECT_NE(refused.error().hint.find("weld two sides of one mesh"), std::string::npos) << to_string(refused.error());
+}
+
 }  // namespace
 }  // namespace meshgraft
