@@ -73,7 +73,10 @@ class Joiner {
       if (pockets.empty()) return std::nullopt;
       // Closing gaps leaves flat ones beside it.
       const Pocket& deepest = *std::ranges::max_element(pockets, {}, &Pocket::depth);
-      return ImprintFault{with_advice(pocket_fault(complex_, marks_.size, deepest)), {}};
+      const FaceId face = deepest.faces[1].front();
+      const bool is_flat = deepest.depth <= SnapRule(largest_, options_, true).at(marks_.size[face.value]).weld;
+      return ImprintFault{with_advice(pocket_fault(complex_, marks_.size, deepest)),
+                          is_flat ? marks_.from[face.value] : FaceId{}};
     }
     return ImprintFault{{ErrorCode::kJunctionNotResolved, "the meshes go on meeting in new places", {}, {}}, {}};
   }

@@ -225,6 +225,34 @@ TEST(Corefine, OfSuchSpotsTheDeepestIsTold) {
   EXPECT_GT(j.result.error().at.x, 10) << j.result.error().what;
 }
 
+/// Faces over the given points.
+Model over(const std::vector<Vec3>& points, const std::vector<std::array<std::size_t, 3>>& faces) {
+  ModelBuilder builder;
+  std::vector<NodeId> node;
+  for (const Vec3 p : points) node.push_back(builder.add_node(p));
+  for (const auto& [a, b, c] : faces) builder.add_face(node[a], node[b], node[c]);
+  return builder.build();
+}
+
+/// Two folds cross, and closing gaps brings places on both folds and a corner beside them onto one face: a flat spot
+/// that neither mesh has.
+TEST(Corefine, AFlatSpotThatClosingGapsMadeIsNoPocket) {
+  const Model fold = over({{-1.1, 0, 0.11},
+                           {0.12, -0.82, -0.58},
+                           {0.51, 0.09, 0},
+                           {0.05, 0.33, 0.6},
+                           {1.67, 0.46, 0.35},
+                           {2.47, 0.47, -0.12}},
+                          {{0, 1, 2}, {2, 3, 0}, {4, 2, 5}});
+  const Model other = over({{1.1, 0.96, -0.01}, {-4.04, -2.01, -0.07}, {-0.93, -4.86, 0.22}, {-3.07, 1.68, -0.82}},
+                           {{0, 1, 2}, {1, 0, 3}});
+  CorefineOptions options;
+  options.tolerance = {0.015, false};
+  const Joined j = join({fold, other}, options);
+  ASSERT_TRUE(j.result) << j.result.error().what;
+  EXPECT_EQ(checks::faults(j.before, *j.result, options, {0.02, true}), std::vector<std::string>{});
+}
+
 TEST(Corefine, SurfacesAtASmallAngleAreJoinedWhereTheSpotHoldsFaces) {
   EXPECT_TRUE(join({wall(), cap(0.15, 0.1)}).result.has_value());
   CorefineOptions crossing;
