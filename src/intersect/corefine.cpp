@@ -102,7 +102,7 @@ class Corefiner {
     std::set_union(near.own.begin(), near.own.end(), near.earlier.begin(), near.earlier.end(),
                    std::back_inserter(faces));
     const CutOut before = assembly_.around(faces);
-    Joining joining{before.complex, before.marks, {}, {}, {}, {}, {}, {}, {}, rims_in(before), rank_};
+    Joining joining{.complex = before.complex, .marks = before.marks, .rims = rims_in(before), .rank = rank_};
     if (auto fault = join(joining, component, largest_, groups_, options_, [&] { return advice(); })) return fault;
     const std::vector<VertexId> vertex = assembly_.put_back(before, joining.complex, joining.marks);
     for (const auto& [v, from] : joining.moved)
@@ -112,6 +112,7 @@ class Corefiner {
       if (const NodeRef node = joining.complex.node[y.value]; node.valid())
         out_.replaced.push_back({node, vertex[x.value]});
     out_.covered.insert(out_.covered.end(), joining.covered.begin(), joining.covered.end());
+    out_.traded.insert(out_.traded.end(), joining.traded.begin(), joining.traded.end());
     out_.joined_seams.insert(out_.joined_seams.end(), joining.joined_seams.begin(), joining.joined_seams.end());
     out_.sewn.insert(out_.sewn.end(), joining.sewn.begin(), joining.sewn.end());
     out_.half_reached.insert(out_.half_reached.end(), joining.half_reached.begin(), joining.half_reached.end());
@@ -157,6 +158,7 @@ class Corefiner {
     std::ranges::sort(out_.replaced, {}, &Corefined::Replaced::node);
     unite_moves();
     std::sort(out_.covered.begin(), out_.covered.end());
+    std::sort(out_.traded.begin(), out_.traded.end());
     for (const VertexId v : bends_)
       if (!is_replaced(complex_.node[v.value])) assembly_.pin(v);
     out_.complex = assembly_.finished(out_.touched, out_.kept);

@@ -72,6 +72,15 @@ struct Corefined {
   };
   std::vector<Covered> covered;
 
+  /// What the pieces of a face have gained (less than 0: lost) from those of its neighbours, where edges became whole
+  /// again; see take_out_points().
+  struct Traded {
+    ElementRef face;
+    double area = 0;
+    friend auto operator<=>(const Traded&, const Traded&) = default;
+  };
+  std::vector<Traded> traded;  // ascending; a face may be there more than once
+
   /// Pairs (smaller, larger) of components that meet, ascending.
   std::vector<std::array<std::uint32_t, 2>> met;
 

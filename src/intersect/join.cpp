@@ -154,6 +154,7 @@ class Joiner {
     marks_.active.assign(complex_.n_faces(), 1);
     remember(overlaid->moved, overlaid->replaced);
     joining_.covered.insert(joining_.covered.end(), overlaid->covered.begin(), overlaid->covered.end());
+    joining_.traded.insert(joining_.traded.end(), overlaid->traded.begin(), overlaid->traded.end());
     return std::nullopt;
   }
 

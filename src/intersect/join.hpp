@@ -16,13 +16,14 @@ namespace meshgraft {
 struct Joining {
   Complex complex;
   FaceMarks marks;
-  std::vector<std::pair<VertexId, Vec3>> moved;   // vertex, where it was; ascending
-  std::vector<std::array<VertexId, 2>> replaced;  // vertex of the component, the one it became
-  std::vector<Corefined::OpenGap> left_open;
-  std::vector<Corefined::HalfReached> half_reached;
-  std::vector<Corefined::JoinedSeam> joined_seams;
-  std::vector<std::array<Vec3, 2>> sewn;  // see Corefined
-  std::vector<Corefined::Covered> covered;
+  std::vector<std::pair<VertexId, Vec3>> moved{};   // vertex, where it was; ascending
+  std::vector<std::array<VertexId, 2>> replaced{};  // vertex of the component, the one it became
+  std::vector<Corefined::OpenGap> left_open{};
+  std::vector<Corefined::HalfReached> half_reached{};
+  std::vector<Corefined::JoinedSeam> joined_seams{};
+  std::vector<std::array<Vec3, 2>> sewn{};  // see Corefined
+  std::vector<Corefined::Covered> covered{};
+  std::vector<Corefined::Traded> traded{};
   std::vector<VertexId> rims{};           // see Sides
   std::span<const std::uint32_t> rank{};  // by component: its place in the order in which they are joined
 };

@@ -96,7 +96,7 @@ class Overlayer {
     take_out(l);
     take_out_flat(l, [&](double size) { return rule_.beside(size); });
     let_go_of_bare(l, cut_in_vain);
-    take_out_points(complex_, marks_, cut_in_vain, before);
+    out_.traded = take_out_points(complex_, marks_, cut_in_vain, before);
     let_neighbours_follow(complex_, marks_, faces_of(l.goes()), out_.moved);
     return std::move(out_);
   }

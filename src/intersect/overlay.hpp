@@ -23,6 +23,7 @@ struct Overlaid {
   std::vector<std::pair<VertexId, Vec3>> moved;   // and where they were
   std::vector<std::array<VertexId, 2>> replaced;  // a vertex and what it became
   std::vector<Corefined::Covered> covered;        // as in Corefined; not ascending
+  std::vector<Corefined::Traded> traded;          // the same
   std::vector<std::uint32_t> behind;              // components left out; see take_out_behind()
 };
 

@@ -32,7 +32,7 @@ class PointRemover {
     }
   }
 
-  void run() {
+  std::vector<Corefined::Traded> run() {
     bool any = false;
     for (const CutEdge& edge : edges_) {
       VertexId before = edge.chain.front();
@@ -45,6 +45,9 @@ class PointRemover {
       }
     }
     if (any) rebuild();
+    std::vector<Corefined::Traded> all;
+    for (const auto& [parent, area] : traded_) all.push_back({parent, area});
+    return all;
   }
 
  private:
@@ -154,6 +157,7 @@ class PointRemover {
       n += side->pieces.size();
     }
     if (n != around.size() || !join_lines(v, before, after)) return false;
+    note_trade(around, now);
     for (const std::uint32_t p : around) {
       pieces_[p].is_gone = true;
       for (const VertexId w : pieces_[p].corners)
@@ -166,6 +170,14 @@ class PointRemover {
         if (const auto at = at_.find(w); at != at_.end()) at->second.push_back(id);
     }
     return true;
+  }
+
+  void note_trade(const std::vector<std::uint32_t>& gone, const std::vector<Piece>& now) {
+    const auto parent = [&](const Piece& p) { return complex_.parent[p.of]; };
+    const ElementRef first = parent(pieces_[gone.front()]);
+    if (std::ranges::all_of(gone, [&](std::uint32_t p) { return parent(pieces_[p]) == first; })) return;
+    for (const std::uint32_t p : gone) traded_[parent(pieces_[p])] -= area(triangle(pieces_[p].corners));
+    for (const Piece& p : now) traded_[parent(p)] += area(triangle(p.corners));
   }
 
   /// Lines that end at v must be the two halves of lines along the edge.
@@ -215,12 +227,15 @@ class PointRemover {
   std::vector<Piece> pieces_;
   std::map<VertexId, std::vector<std::uint32_t>> at_;        // pieces at points that may go
   std::map<VertexId, std::vector<std::uint32_t>> edges_at_;  // edges that a vertex is on
+  std::map<ElementRef, double> traded_;                      // as in Corefined
 };
 
 }  // namespace
 
-void take_out_points(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges, const UncutFaces& before) {
-  if (!edges.empty()) PointRemover(complex, marks, edges, before).run();
+std::vector<Corefined::Traded> take_out_points(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges,
+                                               const UncutFaces& before) {
+  if (edges.empty()) return {};
+  return PointRemover(complex, marks, edges, before).run();
 }
 
 }  // namespace meshgraft

@@ -25,6 +25,9 @@ struct UncutFaces {
 ///  (1) A point stays if the faces at it are not fans from its neighbour on the edge before to the one after.
 ///  (2) A face that no point is left of is again what it was in `before` (by face of `marks.from`).
 ///  (3) A new face descends from the face of the fan that its middle lies on, and stands where that stood.
-void take_out_points(Complex& complex, FaceMarks& marks, const std::vector<CutEdge>& edges, const UncutFaces& before);
+///  (4) Returned is what each parent has gained and lost by (3).
+[[nodiscard]] std::vector<Corefined::Traded> take_out_points(Complex& complex, FaceMarks& marks,
+                                                             const std::vector<CutEdge>& edges,
+                                                             const UncutFaces& before);
 
 }  // namespace meshgraft

@@ -119,6 +119,12 @@ void add_stretch(const Complex& original, const Corefined& corefined, const Node
       sum += area(corefined.complex.corners(piece.second));
     return sum;
   };
+  const auto gained_by = [&](ElementRef parent) {
+    double sum = 0;
+    for (const Corefined::Traded& t : std::ranges::equal_range(corefined.traded, parent, {}, &Corefined::Traded::face))
+      sum += t.area;
+    return sum;
+  };
   for (std::size_t f = 0; f < original.n_faces(); ++f) {
     const ElementRef parent = original.parent[f];
     const auto covered = std::ranges::equal_range(corefined.covered, parent, {}, &Corefined::Covered::face);
@@ -126,7 +132,7 @@ void add_stretch(const Complex& original, const Corefined& corefined, const Node
     double now = 0;
     if (covered.empty()) now = area(places.of(parent));
     for (const Corefined::Covered& went : covered) now += went.has_heir ? went.area_there : went.area;
-    if (!covered.empty()) now += left_of(parent);
+    if (!covered.empty()) now += left_of(parent) - gained_by(parent);
     const double growth = now - area(original.corners(FaceId(f)));
     for (const GroupId g : sets.members(original.face_groups[f])) dropped.stretched_area[g.value] += growth;
   }

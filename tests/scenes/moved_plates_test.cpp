@@ -34,5 +34,9 @@ INSTANTIATE_TEST_SUITE_P(PartsWithEquallyManyElements, MovedPlatesOfSeed, testin
 // one place in different directions. Faces were folded in two there, or not, by rounding.
 INSTANTIATE_TEST_SUITE_P(OutlinesThatLeaveTheBase, MovedPlatesOfSeed, testing::Values(138u, 466u, 978u));
 
+// Where an edge of a face that lies on another became whole again, its pieces and its neighbour's were one's or the
+// other's by where the middles fell; the ledger took that for area lost.
+INSTANTIATE_TEST_SUITE_P(PiecesOfAnothersFace, MovedPlatesOfSeed, testing::Values(2260u, 3189u));
+
 }  // namespace
 }  // namespace meshgraft
