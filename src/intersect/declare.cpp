@@ -245,6 +245,34 @@ bool have_met(const Meeting& m, std::size_t s, VertexId v, LocalEdge e) {
                              [&](LocalFace f) { return std::ranges::any_of(own.corners(f), comes_by); });
 }
 
+/// True if side s has the edge e of the other side, too, and there a face of the mesh that v is on, which stays between
+/// the two: that mesh is joined to the other along the edge, and v is no gap away from it.
+bool is_beyond_own_face(const Meeting& m, std::size_t s, VertexId v, LocalEdge e) {
+  const Side& own = m.side[s];
+  const auto& [low, high] = m.side[1 - s].ends(e);
+  const LocalEdge same = own.find(low, high);
+  if (same == kNowhere) return false;
+  const auto component = [&](LocalFace f) { return m.complex.component[own.face(f).value]; };
+  // In reach, even where a face that could not be cut is not to be drawn for now.
+  const auto is_in_reach = [&](VertexId w) {
+    const double gap = distance(m.at(w), closest_on_segment(m.at(w), m.at(low), m.at(high)).point);
+    const auto size = [&](std::size_t side, LocalFace f) { return m.size[m.side[side].face(f).value]; };
+    return std::ranges::any_of(own.faces_at(w), [&](LocalFace f) {
+      return std::ranges::any_of(m.side[1 - s].faces_at_edge(e), [&](LocalFace g) {
+        return gap <= m.rule.at(std::min(size(s, f), size(1 - s, g))).feature;
+      });
+    });
+  };
+  const auto may_land = [&](VertexId w) {
+    return w == v || m.any_symbol(s, w, [&](const Symbol& symbol) { return m.on_edge(symbol, 1 - s, e); }) ||
+           (m.ending.vertex[s][w.value] != 0 && is_in_reach(w));
+  };
+  return std::ranges::any_of(own.faces_at_edge(same), [&](LocalFace f) {
+    const auto is_of_its_mesh = [&](LocalFace g) { return component(f) == component(g); };
+    return std::ranges::any_of(own.faces_at(v), is_of_its_mesh) && !std::ranges::all_of(own.corners(f), may_land);
+  });
+}
+
 /// Vertices of side 1 move to where they land; those of side 0 stay, and side 1 bends to them.
 void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& landings, Carrier::Kind kind) {
   for (const Landing& l : landings) {
@@ -253,7 +281,9 @@ void land(Meeting& m, Seams& seams, std::size_t s, const std::vector<Landing>& l
     symbol.on[1 - s] = {kind, l.on, l.t};
     const bool is_border = m.ends_on_borders && s == 0 && kind == Carrier::kEdge;
     if (l.is_gap && !is_border && would_flatten(m, s, l.vertex, symbol.on[1 - s])) continue;
-    if (l.is_gap && kind == Carrier::kEdge && have_met(m, s, l.vertex, l.on)) continue;
+    if (l.is_gap && kind == Carrier::kEdge &&
+        (have_met(m, s, l.vertex, l.on) || is_beyond_own_face(m, s, l.vertex, l.on)))
+      continue;
     if (l.beside.valid() && becomes(m, s == 0 ? l.vertex : l.beside, s == 0 ? l.beside : l.vertex)) continue;
     if (l.is_at) continue;  // the two would be in one place
     auto other = seams.find(s, symbol.on[s], symbol.on[1 - s], l.point);

@@ -16,12 +16,12 @@
 namespace meshgraft::scenes {
 namespace {
 
-constexpr double kNoise = 1e-9;           // edges are about 1
-constexpr double kNear = 10;              // motions
-constexpr double kFar = 1e4;              // motions far from the origin
-constexpr double kMostSwept = 2;          // of outline times reach: what a border may sweep on both sides
-constexpr double kMostByRounding = 0.02;  // of the same: what may depend on rounding
-constexpr double kSameArea = 1e-6;        // relative
+constexpr double kNoise = 1e-9;          // edges are about 1
+constexpr double kNear = 10;             // motions
+constexpr double kFar = 1e4;             // motions far from the origin
+constexpr double kMostSwept = 2;         // of outline times reach: what a border may sweep on both sides
+constexpr double kMostByRounding = 0.1;  // of the same: what may depend on rounding
+constexpr double kSameArea = 1e-6;       // relative
 
 template <class... Words>
 std::string text(const Words&... words) {

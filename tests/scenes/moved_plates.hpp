@@ -15,8 +15,10 @@ namespace meshgraft::scenes {
 ///      counted once (with Overlap::kProject: that of all), up to what the gaps that are closed may sweep.
 ///  (3) The lines in which the meshes meet are the same: their kind, whether they are closed, their corners, the inputs
 ///      that meet there.
-///  (4) Each group keeps its Euler characteristic and its area, the latter up to a fiftieth of what may be swept: where
-///      two things are equally near, rounding tells to which of them a node goes.
+///  (4) Each group keeps its Euler characteristic and its area, the latter up to a tenth of what may be swept: where
+///  two
+///      things are equally near, rounding tells to which of them a node goes, and a slope down to the other mesh that
+///      is narrower than an edge is followed by the new faces or cut off, whichever gives the better ones.
 ///
 /// Rounding decides in the remesher, too, between steps that are equally good: numbers of nodes and faces may differ,
 /// and so may the worst Q, even whether it is enough.

@@ -38,5 +38,8 @@ INSTANTIATE_TEST_SUITE_P(OutlinesThatLeaveTheBase, MovedPlatesOfSeed, testing::V
 // other's by where the middles fell; the ledger took that for area lost.
 INSTANTIATE_TEST_SUITE_P(PiecesOfAnothersFace, MovedPlatesOfSeed, testing::Values(2260u, 3189u));
 
+// A node of a mesh that is joined along the outline of a part already was drawn onto that outline over its own face.
+INSTANTIATE_TEST_SUITE_P(NodesBeyondTheirOwnFaces, MovedPlatesOfSeed, testing::Values(576u));
+
 }  // namespace
 }  // namespace meshgraft
