@@ -22,7 +22,10 @@ struct Found {
 class Search {
  public:
   explicit Search(const Meeting& meeting)
-      : m_(meeting), ending_(ending_features(meeting, &Snap::asked)), joints_(boxes_of_joints(meeting)) {}
+      : m_(meeting),
+        ending_(ending_features(meeting, &Snap::asked)),
+        joints_(joints_of(meeting)),
+        tree_(boxes_of(joints_)) {}
 
   std::vector<Corefined::OpenGap> run() {
     for (const FacePair& p : m_.pairs) {
@@ -42,9 +45,22 @@ class Search {
   }
 
  private:
-  static std::vector<Box> boxes_of_joints(const Meeting& m) {
-    std::vector<Box> boxes(m.symbols.size());
-    for (std::size_t k = 0; k < boxes.size(); ++k) boxes[k].add(m.at(m.symbols[k].vertex));
+  using Joint = std::array<Vec3, 2>;
+
+  /// The places of the symbols, and the edges that both sides have, which may be long.
+  static std::vector<Joint> joints_of(const Meeting& m) {
+    std::vector<Joint> joints;
+    for (const Symbol& symbol : m.symbols) joints.push_back({m.at(symbol.vertex), m.at(symbol.vertex)});
+    for (LocalEdge e = 0; e < m.side[1].n_edges(); ++e)
+      if (const auto& [a, b] = m.side[1].ends(e); m.side[0].find(a, b) != kNowhere)
+        joints.push_back({m.at(a), m.at(b)});
+    return joints;
+  }
+
+  static std::vector<Box> boxes_of(const std::vector<Joint>& joints) {
+    std::vector<Box> boxes(joints.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+      for (const Vec3 p : joints[k]) boxes[k].add(p);
     return boxes;
   }
 
@@ -79,14 +95,18 @@ class Search {
   [[nodiscard]] bool is_joined_beside(Vec3 at) const {
     Box place;
     place.add(at);
+    const double beside = kBeside * tolerance_;
     bool any = false;
-    joints_.overlapping(place.grown(kBeside * tolerance_), [&](std::uint32_t) { any = true; });
+    tree_.overlapping(place.grown(beside), [&](std::uint32_t k) {
+      any = any || distance(at, closest_on_segment(at, joints_[k][0], joints_[k][1]).point) <= beside;
+    });
     return any;
   }
 
   const Meeting& m_;
   EndingFeatures ending_;
-  BoxTree joints_;  // places of the symbols
+  std::vector<Joint> joints_;
+  BoxTree tree_;
   double tolerance_ = 0;
   std::vector<Found> found_;
 };
