@@ -9,6 +9,7 @@
 #include "geometry/quality.hpp"
 #include "intersect/assembly.hpp"
 #include "intersect/component_pairs.hpp"
+#include "intersect/follow.hpp"
 #include "intersect/join.hpp"
 #include "intersect/laying.hpp"
 #include "intersect/rims.hpp"
@@ -156,12 +157,15 @@ class Corefiner {
 
   Corefined result() {
     std::ranges::sort(out_.replaced, {}, &Corefined::Replaced::node);
-    unite_moves();
     std::sort(out_.covered.begin(), out_.covered.end());
     std::sort(out_.traded.begin(), out_.traded.end());
     for (const VertexId v : bends_)
       if (!is_replaced(complex_.node[v.value])) assembly_.pin(v);
     out_.complex = assembly_.finished(out_.touched, out_.kept);
+    for (const auto& [v, from] : ease_slopes(out_, complex_))
+      if (const NodeRef node = out_.complex.node[v.value]; node.valid())
+        out_.moves.push_back({node, v, from, out_.complex.position[v.value]});
+    unite_moves();
     find_shared(out_);
     return std::move(out_);
   }

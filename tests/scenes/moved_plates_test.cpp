@@ -41,5 +41,11 @@ INSTANTIATE_TEST_SUITE_P(PiecesOfAnothersFace, MovedPlatesOfSeed, testing::Value
 // A node of a mesh that is joined along the outline of a part already was drawn onto that outline over its own face.
 INSTANTIATE_TEST_SUITE_P(NodesBeyondTheirOwnFaces, MovedPlatesOfSeed, testing::Values(576u));
 
+// A long edge along which both are joined was not known to be a joint, and what is beside it taken for a gap left open.
+INSTANTIATE_TEST_SUITE_P(NodesBesideLongEdges, MovedPlatesOfSeed, testing::Values(6110u, 69143475u));
+
+// The strip that closes a gap was far narrower than the gap is wide, and its new faces upright, or over, by rounding.
+INSTANTIATE_TEST_SUITE_P(SteepStrips, MovedPlatesOfSeed, testing::Values(2869u, 4053u, 5396u));
+
 }  // namespace
 }  // namespace meshgraft
