@@ -15,13 +15,6 @@ namespace {
 
 Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
 
-/// Vertices that both sides have already (from an earlier round).
-void declare_shared(Meeting& m) {
-  for (std::size_t i = 0; i < m.symbol_of[0].size(); ++i)
-    if (const VertexId v(i); !m.side[0].faces_at(v).empty() && !m.side[1].faces_at(v).empty())
-      m.add({v, {vertex(v), vertex(v)}});
-}
-
 /// A gap is closed across it, not along a surface: things that lie beside each other on one surface
 /// stay apart unless both are features, and vertices unless they end there. True if the way from `at`, which is on
 /// `faces` of side s, to `q`, `gap` away, leaves their planes; how far they reach does not count, as slivers end beside
@@ -334,6 +327,12 @@ bool is_doubtful(const Meeting& m, const EdgePair& p) {
 }
 
 }  // namespace
+
+void declare_shared(Meeting& m) {
+  for (std::size_t i = 0; i < m.symbol_of[0].size(); ++i)
+    if (const VertexId v(i); !m.side[0].faces_at(v).empty() && !m.side[1].faces_at(v).empty())
+      m.add({v, {vertex(v), vertex(v)}});
+}
 
 void declare_vertices(Meeting& m) {
   m.ending = ending_features(m, &Snap::feature);

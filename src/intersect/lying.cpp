@@ -132,6 +132,7 @@ class Declarer {
   explicit Declarer(LyingMeeting& l) : l_(l), m_(l.meeting) {}
 
   void run() {
+    declare_shared(m_);
     for (const std::size_t s : {l_.goes(), l_.stays}) {
       snap_to_features(s);
       build_cover(l_, l_.goes());  // some of it has slid

@@ -172,6 +172,8 @@ Meeting make_meeting(Complex& complex, GroupSets& groups, std::span<const double
 /// are, and this is much cheaper than their distance.
 [[nodiscard]] bool are_apart(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double gap);
 
+/// Declares vertices that both sides have already, from an earlier round or another component.
+void declare_shared(Meeting& meeting);
 /// Declares vertices that are on the other side, in order of dimension, and moves those of side 1.
 void declare_vertices(Meeting& meeting);
 /// Declares edges that pass each other.

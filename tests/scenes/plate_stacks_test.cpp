@@ -75,6 +75,27 @@ TEST(PlateStacks, AreJoinedWithAToleranceOfTheSumOfTheirGaps) {
     }
 }
 
+/// Beyond an edge of the base two plates come down to it, and lie on each other there: both have its nodes already.
+TEST(PlateStacks, ThatReachBeyondTheBaseAreJoinedThereToo) {
+  const std::array<Stack, 2> stacks{Stack{{{200, 160, 0, 0, 0, 9.59, 0},
+                                           {103.75, 67.75, 1.51, 21.51, 48.06, 11.06, 4.92},
+                                           {64.07, 127.94, 3.06, -4.61, 21.41, 9.87, 7.75}},
+                                          5.161},
+                                    Stack{{{200, 160, 0, 0, 0, 10.73, 0},
+                                           {145.05, 92.66, 1.25, -41.66, -8.45, 9.8, 2.61},
+                                           {149.14, 126.55, 3.04, -16.73, -33.38, 10.76, 5.23}},
+                                          2.744}};
+  for (const Stack& stack : stacks)
+    for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject}) {
+      SCOPED_TRACE(testing::Message() << stack.plates[1].size << ", variant " << static_cast<int>(overlap));
+      const std::vector<Model> models = models_of(stack);
+      const auto merged = merged_stack(models, stack.tolerance, overlap);
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+      if (overlap == Overlap::kFuse) scenes::expect_sound(apply(models[0], std::span(models).subspan(1), *merged));
+    }
+}
+
 /// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
 TEST(PlateStacks, AKeptPlateNextToAFreeEdgeIsRemeshedThereAndNowhereElse) {
   const Stack stack{{{200, 160, 0, 0, 0, 10, 0}, {80, 60, 0.01, 5, 47.1, 10, 1}}, 1.05};
