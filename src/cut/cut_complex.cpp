@@ -5,8 +5,8 @@
 
 #include "core/blocks.hpp"
 #include "core/buckets.hpp"
+#include "core/connected.hpp"
 #include "core/distinct.hpp"
-#include "core/union_find.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 
@@ -32,11 +32,8 @@ bool is_beside(const Triangle& t, const Triangle& u, double gap) {
 /// Sets which mesh each face is of, counted in the order of their first vertices.
 ///   returns   how many there are
 std::uint32_t number_meshes(const Complex& complex, std::vector<std::uint32_t>& mesh) {
-  UnionFind joined(complex.n_vertices());
-  for (const auto& [a, b, c] : complex.face) joined.unite(a.value, b.value), joined.unite(a.value, c.value);
-  std::vector<std::uint32_t> first;
-  for (const auto& v : complex.face) first.push_back(joined.find(v[0].value));
-  mesh = first;
+  mesh = connected_meshes(complex);
+  std::vector<std::uint32_t> first = mesh;
   make_distinct(first);
   for (std::uint32_t& m : mesh) m = static_cast<std::uint32_t>(std::ranges::lower_bound(first, m) - first.begin());
   return static_cast<std::uint32_t>(first.size());

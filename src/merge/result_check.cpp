@@ -10,7 +10,7 @@
 #include <span>
 
 #include "check/face_pairs.hpp"
-#include "core/union_find.hpp"
+#include "core/connected.hpp"
 #include "geometry/box_tree.hpp"
 #include "geometry/quality.hpp"
 #include "merge/edges.hpp"
@@ -135,10 +135,9 @@ class ResultCheck {
     using Mesh = std::array<std::uint32_t, 2>;
 
     void find_meshes(const Complex& before) {
-      UnionFind joined(before.n_vertices());
-      for (const auto& [a, b, c] : before.face) joined.unite(a.value, b.value), joined.unite(a.value, c.value);
+      const std::vector<std::uint32_t> mesh = connected_meshes(before);
       for (std::size_t f = 0; f < before.n_faces(); ++f)
-        mesh_of_.emplace(before.parent[f], Mesh{before.component[f], joined.find(before.face[f][0].value)});
+        mesh_of_.emplace(before.parent[f], Mesh{before.component[f], mesh[f]});
     }
 
     [[nodiscard]] std::array<Mesh, 2> meshes_of(const Complex& complex, const std::array<FaceId, 2>& pair) const {
