@@ -149,6 +149,26 @@ bool is_undecided(const Meeting& m, std::size_t s, VertexId v) {
   return !m.has_symbol(s, v) && (s == 0 || m.complex.state[v.value] != VertexState::kFrozen);
 }
 
+/// A free edge of side 1 with both ends on side 0: it has been extended there, and what it runs along and curves up
+/// between the ends is met in the surface that the edge is extended along, that of its one face.
+bool is_chord(const Meeting& m, LocalEdge f) {
+  return m.side[1].is_free(f) && m.ending.edge[1][f] != 0 &&
+         std::ranges::all_of(m.side[1].ends(f), [&](VertexId v) { return m.has_symbol(1, v); });
+}
+
+bool is_in_surface_of(const Meeting& m, Vec3 p, LocalEdge chord, double weld) {
+  const Triangle face = m.triangle(1, m.side[1].faces_at_edge(chord).front());
+  return std::abs(dot(unit_normal(face), p - face[0])) <= weld;
+}
+
+/// How far a point in the surface that a chord was extended along is from it, where it is or where it was before: that
+/// draws its ends to the other side, and its middle away from what curves up between them.
+double distance_from_chord(const Meeting& m, Vec3 p, LocalEdge chord) {
+  const auto& [a, b] = m.side[1].ends(chord);
+  const auto to = [&](Vec3 from, Vec3 end) { return distance(p, closest_on_segment(p, from, end).point); };
+  return std::min(to(m.at(a), m.at(b)), to(m.at_first(a), m.at_first(b)));
+}
+
 std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
   const Side& other = m.side[1 - s];
   std::vector<Landing> found;
@@ -160,10 +180,11 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         const auto& [low, high] = other.ends(e);
         const double near = std::max({snap.weld, m.seams_of.vertex[s][v.value], m.seams_of.edge[1 - s][e]});
         const double gap = std::max(near, snap.of(m.ending.vertex[s][v.value] != 0 || m.ending.edge[1 - s][e] != 0));
-        if (are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
+        const bool beside_chord = s == 0 && is_chord(m, e) && is_in_surface_of(m, m.at(v), e, snap.weld);
+        if (!beside_chord && are_apart(m.at(v), m.at(v), m.at(low), m.at(high), gap)) continue;
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
-        if (c.t <= 0 || c.t >= 1 || d > gap) continue;
+        if (c.t <= 0 || c.t >= 1 || (beside_chord ? distance_from_chord(m, m.at(v), e) : d) > gap) continue;
         if (d > near && !other.is_feature_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
@@ -231,13 +252,6 @@ struct EdgePair {
   bool bends = false;   // farther apart than the weld length
 };
 
-/// A free edge of side 1 with both ends on side 0: it has been extended there, and what it runs along and curves up
-/// between the ends is met in the surface that the edge is extended along, that of its one face.
-bool is_chord(const Meeting& m, LocalEdge f) {
-  return m.side[1].is_free(f) && m.ending.edge[1][f] != 0 &&
-         std::ranges::all_of(m.side[1].ends(f), [&](VertexId v) { return m.has_symbol(1, v); });
-}
-
 /// Whether edge f of side 1 runs along a face at edge e of side 0.
 bool runs_along(const Meeting& m, LocalEdge f, LocalEdge e) {
   const auto& [a, b] = m.side[1].ends(f);
@@ -263,7 +277,7 @@ std::optional<EdgePair> chord_crossing(const Meeting& m, LocalEdge e, LocalEdge 
   const double apart = distance(at, on_f.point);
   // What is beside an end of the chord passes that, not the chord, whichever side rounding puts it on.
   const bool at_end = std::min(distance(on_f.point, m.at(c)), distance(on_f.point, m.at(d))) <= snap.weld;
-  if (at_end || apart > snap.feature || m.share_end(e, f)) return std::nullopt;
+  if (at_end || distance_from_chord(m, at, f) > snap.feature || m.share_end(e, f)) return std::nullopt;
   return EdgePair{{e, f}, {t, on_f.t}, at, apart, apart > snap.weld, apart > snap.weld};
 }
 
@@ -281,11 +295,11 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         const bool both = m.side[0].is_feature_edge(e) && m.side[1].is_feature_edge(f);
         const double close = std::max({snap.weld, m.seams_of.edge[0][e], m.seams_of.edge[1][f]});
         const double gap = std::max(close, snap.of(both || m.ending.edge[0][e] != 0 || m.ending.edge[1][f] != 0));
-        if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
         if (bool undecided = false; chord[f] != 0 && runs_along(m, f, e)) {
           if (const auto crossing = chord_crossing(m, e, f, snap, undecided)) found.push_back(*crossing);
           if (!undecided) continue;
         }
+        if (are_apart(m.at(a), m.at(b), m.at(c), m.at(d), gap)) continue;
         const SegmentPair near = closest_between_segments(m.at(a), m.at(b), m.at(c), m.at(d));
         const bool inside = near.first.t > 0 && near.first.t < 1 && near.second.t > 0 && near.second.t < 1;
         const double apart = distance(near.first.point, near.second.point);

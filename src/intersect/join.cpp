@@ -208,6 +208,7 @@ class Joiner {
                              {options_.sharp_angle, options_.ends_on_borders});
     m.ends_on_borders = options_.ends_on_borders;
     m.half_reached = half_reached_;
+    if (round == 0) m.extended_from = &moved_from_;
     declare_vertices(m);
     declare_edges(m);
     find_crossings(m);

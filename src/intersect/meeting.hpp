@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -108,11 +109,19 @@ struct Meeting {
   /// Vertices with a free edge along the other side that is beyond the tolerance at its other end: only another edge
   /// makes them end there.
   std::span<const VertexId> half_reached{};
+  /// Vertices that were moved before, as free edges were extended, and where they were.
+  const std::map<VertexId, Vec3>* extended_from = nullptr;
   bool ends_on_borders = false;  // see CorefineOptions
   EndingFeatures ending{};       // within the snap length; set by declare_vertices()
   SeamWidths seams_of{};         // set by declare_vertices()
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex.position[v.value]; }
+  /// Where it was before free edges were extended.
+  [[nodiscard]] Vec3 at_first(VertexId v) const {
+    if (extended_from == nullptr) return at(v);
+    const auto from = extended_from->find(v);
+    return from == extended_from->end() ? at(v) : from->second;
+  }
   [[nodiscard]] Triangle triangle(std::size_t s, LocalFace f) const { return complex.corners(side[s].face(f)); }
   [[nodiscard]] Snap snap(const FacePair& p) const;
   [[nodiscard]] std::span<const Vec3> surface(std::size_t s) const {

@@ -180,5 +180,21 @@ TEST(FusedContact, ANarrowFlangeOfFewSidesKeepsItsAreaBesideTheJunction) {
   expect_area_kept(pipe, ring(5, 7.5, 20, 1, "FLANGE"), "FLANGE");
 }
 
+/// Edges of the rim of a flange are nowhere farther from the pipe than the sagitta of its facets, 0.086. Drawn onto the
+/// pipe by their ends they pass its corners by as much again, and were no longer taken for joined to them: slivers.
+TEST(Flanges, WithFacetsOfTheirOwnAreJoinedWhereTheirRimWasWithinTheTolerance) {
+  const Model pipe = tube(24, 8, -10, 10, 0.13, "PIPE"), flange = ring(10, 20, 28, 4, "FLANGE");
+  for (const double tolerance : {0.09, 0.12, 0.2}) {
+    SCOPED_TRACE(testing::Message() << "tolerance " << tolerance);
+    MergeOptions options;
+    options.tolerance = {tolerance, false};
+    const auto merged = merge(pipe, std::span(&flange, 1), options);
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+    EXPECT_GE(merged->report.quality.min, 0.5);
+    scenes::expect_sound(apply(pipe, std::span(&flange, 1), *merged));
+  }
+}
+
 }  // namespace
 }  // namespace meshgraft
