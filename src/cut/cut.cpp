@@ -192,7 +192,9 @@ Result<Merged> cut(const Model& base, const CutTool& from, const CutOptions& opt
   const Corefined& corefined = incision->marked.corefined;
 
   watch.start("remesh", 0.3);
-  RemeshedZone zone = remesh_zone(incision->original, corefined, graft.group_sets, options.zone);
+  auto remeshed_zone = remesh_zone(incision->original, corefined, graft.group_sets, options.zone);
+  if (!remeshed_zone) return Failure(to_error(inputs, remeshed_zone.error()));
+  RemeshedZone& zone = *remeshed_zone;
   const Junction junction = cut_edges(zone.remeshed.complex, dropped.borders);
   if (tool->round) {
     round_nodes(incision->original, junction, *tool->round, zone.remeshed.complex);

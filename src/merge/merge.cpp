@@ -85,8 +85,9 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   if (options.trim) report.dropped = trim(original, *corefined, *options.trim, graft, dropped);
 
   watch.start("remesh", 0.3);  // paper 5.3 to 5.6
-  const RemeshedZone zone = remesh_zone(original, *corefined, graft.group_sets, options);
-  const Operation operation{inputs, *components, original, *corefined, zone, dropped, ground, options};
+  const auto zone = remesh_zone(original, *corefined, graft.group_sets, options);
+  if (!zone) return Failure(to_error(inputs, zone.error()));
+  const Operation operation{inputs, *components, original, *corefined, *zone, dropped, ground, options};
   if (const auto ok = conclude(operation, watch, merged); !ok) return Failure(ok.error());
   if (const auto ok = check_anything_new(inputs, options, report); !ok) return Failure(ok.error());
   return merged;

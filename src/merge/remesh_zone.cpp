@@ -81,6 +81,25 @@ double mean_input_quality(const Zone& zone, const Corefined& corefined) {
   return count > 0 ? sum / count : 1;
 }
 
+bool is_collapsed(const Complex& complex, FaceId f) {
+  const auto& v = complex.face[f.value];
+  return v[0] == v[1] || v[1] == v[2] || v[2] == v[0];
+}
+
+/// The first face of a zone that uses a vertex twice: it has no three sides, so that nothing can take its place.
+std::optional<FaceId> collapsed_face(const Complex& complex, const Zone& zone) {
+  for (std::size_t f = 0; f < zone.in_zone.size(); ++f)
+    if (zone.in_zone[f] != 0 && is_collapsed(complex, FaceId(f))) return FaceId(f);
+  return std::nullopt;
+}
+
+JunctionFault collapsed_fault(const Complex& complex, FaceId f) {
+  return {ErrorCode::kDegenerateFace,
+          "a face that uses a node twice would have to be remeshed",
+          {complex.parent[f.value]},
+          centroid(complex.corners(f))};
+}
+
 /// Faces to remesh and what became of them.
 struct Attempt {
   Zone zone;
@@ -89,8 +108,9 @@ struct Attempt {
 
 }  // namespace
 
-RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, GroupSets& groups,
-                         const MergeOptions& options, const WidenLimits& limits) {
+tl::expected<RemeshedZone, JunctionFault> remesh_zone(const Complex& original, const Corefined& corefined,
+                                                      GroupSets& groups, const MergeOptions& options,
+                                                      const WidenLimits& limits) {
   const Complex& complex = corefined.complex;
   BrepOptions brep_options;
   brep_options.original = &original;
@@ -114,8 +134,9 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   if (options.method == Method::kPaper) {
     const Zone zone =
         options.bandwidth ? neighbourhoods(corefined, *inputs, size, options.bandwidth) : paper_zone(corefined);
+    if (const auto face = collapsed_face(complex, zone)) return tl::unexpected(collapsed_fault(complex, *face));
     RemeshedByPaper paper = remesh_by_paper(complex, brep, size, zone.in_zone, groups, options.blend, remesh_options);
-    return {std::move(paper.remeshed), zone.bandwidth, 0, std::move(paper.unfilled)};
+    return RemeshedZone{std::move(paper.remeshed), zone.bandwidth, 0, std::move(paper.unfilled)};
   }
   const auto attempt = [&](Zone zone) {
     Remeshed remeshed = remesh(complex, brep, size, zone.in_zone, groups, remesh_options);
@@ -129,12 +150,16 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   Zone narrow = zone_of(0);
   const bool irregular = alike && mean_input_quality(narrow, corefined) < limits.regular_input;
   const int start = !options.bandwidth && irregular ? limits.more_at_once : 0;
-  Attempt best = attempt(start > 0 ? zone_of(start) : std::move(narrow));
+  Zone first = start > 0 ? zone_of(start) : std::move(narrow);
+  if (const auto face = collapsed_face(complex, first)) return tl::unexpected(collapsed_fault(complex, *face));
+  Attempt best = attempt(std::move(first));
   int widened = 0;
   // Wider is better nearly always; where it is not, because it reaches other sheets, the narrow zone may be.
   for (const int more : {limits.more, 0}) {
     if (options.bandwidth || more == start || best.remeshed.mean_quality >= wanted) continue;
-    Attempt other = attempt(zone_of(more));
+    Zone other_zone = zone_of(more);
+    if (collapsed_face(complex, other_zone)) continue;
+    Attempt other = attempt(std::move(other_zone));
     // Poor faces of a narrow zone are mended below.
     const bool sound = more == 0 || worst_mendable(other.remeshed) >= worst_mendable(best.remeshed);
     if (!sound || other.remeshed.mean_quality <= best.remeshed.mean_quality) continue;
@@ -146,7 +171,7 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   const auto widen_around = [&](std::vector<Vec3> places, Zone zone) {
     int in_vain = 0;  // rounds since the last one that was better
     for (int round = 1; round <= limits.max_rounds && in_vain < limits.max_in_vain && !places.empty(); ++round) {
-      if (!widen(zone, corefined, *inputs, size, places, most)) break;
+      if (!widen(zone, corefined, *inputs, size, places, most) || collapsed_face(complex, zone)) break;
       Attempt wider = attempt(zone);
       places = mendable_places(wider.remeshed);
       ++in_vain;
@@ -165,13 +190,14 @@ RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, Gr
   if (const std::vector<NodeRef> nodes = nodes_of_mendable(best.remeshed); !corefined.kept.empty() && !nodes.empty()) {
     Zone zone = best.zone;
     for (const std::uint32_t i : inputs->release(nodes))
-      for (const FaceId f : inputs->pieces(i)) zone.in_zone[f.value] = inputs->frozen(i) ? 0 : 1;
+      for (const FaceId f : inputs->pieces(i))
+        zone.in_zone[f.value] = inputs->frozen(i) || is_collapsed(complex, f) ? 0 : 1;
     Attempt freed = attempt(std::move(zone));
     std::vector<Vec3> places = mendable_places(freed.remeshed);
     if (is_better(freed, best)) best = std::move(freed);
     widen_around(std::move(places), best.zone);
   }
-  return {std::move(best.remeshed), best.zone.bandwidth, widened};
+  return RemeshedZone{std::move(best.remeshed), best.zone.bandwidth, widened};
 }
 
 }  // namespace meshgraft

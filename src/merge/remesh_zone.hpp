@@ -39,8 +39,10 @@ struct RemeshedZone {
 
 /// Paper 5.3 to 5.6: curves and sheets are read, sizes set, neighbourhoods chosen and remeshed;
 /// beyond the paper, the zone is widened around poor faces that no input angle explains, and the
-/// best of the results is taken.
-[[nodiscard]] RemeshedZone remesh_zone(const Complex& original, const Corefined& corefined, GroupSets& groups,
-                                       const MergeOptions& options, const WidenLimits& limits = {});
+/// best of the results is taken. Faults: kDegenerateFace if a face of the zone uses a vertex twice; where only a wider
+/// one holds such a face, it is not taken.
+[[nodiscard]] tl::expected<RemeshedZone, JunctionFault> remesh_zone(const Complex& original, const Corefined& corefined,
+                                                                    GroupSets& groups, const MergeOptions& options,
+                                                                    const WidenLimits& limits = {});
 
 }  // namespace meshgraft

@@ -41,6 +41,40 @@ Model wall_with_flat_face(Vec3 near) {
   return builder.build();
 }
 
+/// A wall in which the face nearest to a point uses a node twice.
+Model wall_with_collapsed_face(Vec3 near) {
+  const Model whole = wall(0);
+  std::size_t nearest = 0;
+  const auto far = [&](std::size_t e) { return distance(centroid(whole.corners(ElementId(e))), near); };
+  for (std::size_t e = 0; e < whole.n_elements(); ++e)
+    if (far(e) < far(nearest)) nearest = e;
+  ModelBuilder builder;
+  for (const Vec3 p : whole.position) builder.add_node(p);
+  for (std::size_t e = 0; e < whole.n_elements(); ++e) {
+    const auto v = whole.nodes_of(ElementId(e));
+    builder.add_face(v[0], e == nearest ? v[0] : v[1], v[2]);
+  }
+  return builder.build();
+}
+
+TEST(Merge, AFaceThatUsesANodeTwiceIsNamedOrLeftAsItIs) {
+  const Model part = stiffener(0.43, 1.57, 0.97, 0.3, 0.4);
+  int n_merged = 0, n_named = 0;
+  for (const double x : {0.6, 0.83, 1.0, 1.17, 1.4})
+    for (const double y : {0.95, 1.03, 1.1, 1.17, 1.25, 1.8}) {
+      const auto result = merge(wall_with_collapsed_face({x, y, 0}), std::span(&part, 1));
+      if (result) {
+        EXPECT_TRUE(result->report.broken_promises.empty()) << to_string(result->report.broken_promises.front());
+        ++n_merged;
+      } else {
+        EXPECT_EQ(result.error().code, ErrorCode::kDegenerateFace) << to_string(result.error());
+        if (result.error().what.find("uses a node twice") != std::string::npos) ++n_named;
+      }
+    }
+  EXPECT_GE(n_merged, 4);
+  EXPECT_GE(n_named, 4);
+}
+
 /// Many are replaced by good ones; the others are named.
 TEST(Merge, AFaceWithoutAreaThatCannotBeRemeshedIsNamed) {
   const Model part = stiffener(0.43, 1.57, 0.97, 0.3, 0.4);
