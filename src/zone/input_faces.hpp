@@ -23,7 +23,9 @@ class InputFaces {
   [[nodiscard]] std::uint32_t component(std::uint32_t i) const { return complex_.component[pieces(i).front().value]; }
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
   /// Neither cut nor in part taken out.
-  [[nodiscard]] bool is_whole(std::uint32_t i) const { return pieces(i).size() == 1 && !has_lost_[i]; }
+  [[nodiscard]] bool is_whole(std::uint32_t i) const { return pieces(i).size() == 1 && !has_lost(i); }
+  /// A part of it is taken out: what is left may be much smaller than it was.
+  [[nodiscard]] bool has_lost(std::uint32_t i) const { return has_lost_[i] != 0; }
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
   [[nodiscard]] bool frozen(std::uint32_t i) const { return frozen_[i] != 0; }
   /// It lies in an area of contact that stays as it is: not cut, and not in the neighbourhoods of a face there that

@@ -38,9 +38,11 @@ std::vector<int> automatic(const Corefined& corefined, const InputFaces& inputs)
 int transition(const InputFaces& inputs, std::uint32_t i, const SizeField& size) {
   double sum = 0;
   int count = 0;
-  inputs.each_neighbour(i, [&](std::uint32_t j) { sum += inputs.mean_edge_length(j), ++count; });
+  inputs.each_neighbour(i, [&](std::uint32_t j) {
+    if (!inputs.has_lost(j)) sum += inputs.mean_edge_length(j), ++count;
+  });
   const double own = sum / count, junction = size.junction(inputs.centre(i)).size;
-  if (!std::isfinite(junction)) return 1;
+  if (count == 0 || !std::isfinite(junction)) return 1;
   return static_cast<int>(std::ceil(std::abs(junction - own) / size.gradation() / (kRow * own))) + 1;
 }
 

@@ -41,6 +41,22 @@ Model wall_with_flat_face(Vec3 near) {
   return builder.build();
 }
 
+/// A piece that sticks out beyond the border of the other plate may be a sliver: no sign of a finer mesh there.
+TEST(Merge, WhatContactLeavesOfAFaceSaysNothingOfTheSizeThere) {
+  constexpr double kEdge = 0.08, kJitter = 0.2;
+  const Model base = scenes::staggered_plate({-1, -0.7, 0}, {2, 0, 0}, {0, 1.4, 0}, kEdge, "WALL", kJitter);
+  const Model strake = scenes::staggered_plate({-0.6, -0.45, 0}, {1.2, 0, 0}, {0, 0.9, 0}, kEdge, "STRAKE", kJitter);
+  for (const int degrees : {7, 20, 33, 46, 59, 72, 85}) {
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const Model part = scenes::moved(strake, [&](Vec3 p) {
+      return Vec3{0.93 + c * p.x - s * p.y, 0.52 + s * p.x + c * p.y, 0};
+    });
+    const auto result = merge(base, std::span(&part, 1));
+    ASSERT_TRUE(result) << to_string(result.error());
+    EXPECT_LE(std::ranges::max(result->report.zone.bandwidth), 6) << degrees;
+  }
+}
+
 /// A wall in which the face nearest to a point uses a node twice.
 Model wall_with_collapsed_face(Vec3 near) {
   const Model whole = wall(0);
