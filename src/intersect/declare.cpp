@@ -13,6 +13,8 @@
 namespace meshgraft {
 namespace {
 
+constexpr double kSideways = 0.5;  // sine of the angle by which the way across a gap may lean
+
 Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
 
 /// A gap is closed across it, not along a surface: things that lie beside each other on one surface
@@ -21,7 +23,6 @@ Carrier vertex(VertexId v) { return {Carrier::kVertex, v.value, 0}; }
 /// every way.
 bool is_straight_across(const Meeting& m, std::size_t s, std::span<const LocalFace> faces, Vec3 at, Vec3 q,
                         double gap) {
-  constexpr double kSideways = 0.5;  // sine of the angle between the way and a normal
   const Vec3 way = q - at;
   return std::all_of(faces.begin(), faces.end(), [&](LocalFace f) {
     const Vec3 n = unit_normal(m.triangle(s, f));
@@ -169,6 +170,17 @@ double distance_from_chord(const Meeting& m, Vec3 p, LocalEdge chord) {
   return std::min(to(m.at(a), m.at(b)), to(m.at_first(a), m.at_first(b)));
 }
 
+/// Whether the chord f is met in v of side 0, `on_f` next to it: beneath or above it on a face there, and in the
+/// surface that f is extended along. Another mesh that ends in v may do so sideways.
+bool is_met_in(const Meeting& m, LocalEdge f, VertexId v, Vec3 on_f, double gap) {
+  if (!is_chord(m, f)) return false;
+  const Vec3 n = unit_normal(m.triangle(1, m.side[1].faces_at_edge(f).front()));
+  return std::abs(dot(n, m.at(v) - on_f)) <= kSideways * gap &&
+         std::ranges::any_of(m.side[0].faces_at(v), [&](LocalFace g) {
+           return is_straight_across(m, 0, std::span(&g, 1), m.at(v), on_f, gap);
+         });
+}
+
 std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
   const Side& other = m.side[1 - s];
   std::vector<Landing> found;
@@ -189,7 +201,8 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
         if (d > near && m.ending.vertex[s][v.value] == 0 &&
-            !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d))
+            !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d) &&
+            !(s == 0 && is_met_in(m, e, v, c.point, d)))
           continue;
         found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false}, m, other.ends(e), snap.weld));
       }

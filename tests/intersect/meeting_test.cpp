@@ -82,5 +82,24 @@ TEST(Meeting, WhatLandsOnAnEdgeBesideItsEndLandsOnThat) {
   EXPECT_EQ(m.at(end), m.at(node));
 }
 
+/// A stringer on a hollow skin, at a node of the line in which the skin and a frame have met: its free edge is a chord
+/// of the hollow, beside that node as seen along the skin, and is welded to the frame, too. Between the node and what
+/// the frame's faces meet of the edge below there would be one place twice.
+TEST(Meeting, AChordPassesTheNodeBeneathItWhereAFrameEndsThere) {
+  constexpr double kBeside = 1e-4, kGap = 0.02;
+  ModelBuilder builder;
+  const NodeId foot = builder.add_node({0, kBeside, -kGap}), left = builder.add_node({-1, 0, 0}),
+               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, -kGap}),
+               back = builder.add_node({0, 1, -kGap}), top = builder.add_node({0, 0, 1});
+  for (const auto& [a, b] :
+       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {front, top}, {top, back}})
+    builder.add_to_group("F", builder.add_face(foot, a, b));
+  Met met(builder.build("skin and frame"), face({-1, 0, 0}, {1, 0, 0}, {0.2, 0, 1}), 0.1);
+  Meeting& m = *met.meeting;
+  declare_vertices(m);
+  EXPECT_TRUE(m.any_symbol(0, met.vertex(0, {0, kBeside, -kGap}),
+                           [](const Symbol& s) { return s.on[1].kind == Carrier::kEdge; }));
+}
+
 }  // namespace
 }  // namespace meshgraft
