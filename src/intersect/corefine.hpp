@@ -14,7 +14,8 @@ namespace meshgraft {
 
 struct CorefineOptions {
   /// Gap or penetration closed where a feature (free, sharp or non-manifold edge, pinned vertex) of
-  /// one component ends on another.
+  /// one component ends on another, or another line that stays (border of groups or attributes, edge with 1D
+  /// elements) runs along it.
   Tolerance tolerance;
   /// Everything else nearer than this share of the local edge length is one place: far above
   /// rounding, so that decisions beyond it are well conditioned; far below what analysis sees.

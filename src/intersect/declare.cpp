@@ -197,7 +197,7 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
         const SegmentPoint c = closest_on_segment(m.at(v), m.at(low), m.at(high));
         const double d = distance(m.at(v), c.point);
         if (c.t <= 0 || c.t >= 1 || (beside_chord ? distance_from_chord(m, m.at(v), e) : d) > gap) continue;
-        if (d > near && !other.is_feature_edge(e) &&
+        if (d > near && !other.is_line_edge(e) &&
             !is_straight_across(m, 1 - s, other.faces_at_edge(e), c.point, m.at(v), d))
           continue;
         if (d > near && m.ending.vertex[s][v.value] == 0 &&
@@ -323,10 +323,10 @@ std::vector<EdgePair> passing_edges(const Meeting& m) {
         if (std::min({distance(on_e, m.at(a)), distance(on_e, m.at(b)), distance(on_f, m.at(c)),
                       distance(on_f, m.at(d))}) <= snap.weld)
           continue;
-        if (is_gap && !m.side[0].is_feature_edge(e) &&
+        if (is_gap && !m.side[0].is_line_edge(e) &&
             !is_straight_across(m, 0, m.side[0].faces_at_edge(e), on_e, on_f, apart))
           continue;
-        if (is_gap && !m.side[1].is_feature_edge(f) &&
+        if (is_gap && !m.side[1].is_line_edge(f) &&
             !is_straight_across(m, 1, m.side[1].faces_at_edge(f), on_f, on_e, apart))
           continue;
         found.push_back({{e, f}, {near.first.t, near.second.t}, on_e, apart, is_gap, apart > snap.weld});

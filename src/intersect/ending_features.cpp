@@ -24,7 +24,7 @@ class EndingSearch {
     for (const FacePair& p : m_.pairs) {
       const Plane plane(m_, s_, p, within_);
       for (const LocalEdge e : side_.edges(p[s_]))
-        if (edge[e] == 0 && side_.is_feature_edge(e) && runs_along(e, plane))
+        if (edge[e] == 0 && side_.is_line_edge(e) && runs_along(e, plane))
           edge[e] = is_beside(e, plane) || is_in_plane(e, plane, p[1 - s_]) ? 1 : 0;
     }
     for (LocalFace f = 0; f < side_.n_faces(); ++f)
@@ -53,7 +53,7 @@ class EndingSearch {
   void find_near(const FacePair& p) {
     const Plane plane(m_, s_, p, within_);
     for (const VertexId v : side_.corners(p[s_]))
-      if (side_.is_feature(v) && plane.is_near(m_.at(v))) near_[v.value] = 1;
+      if (side_.is_line(v) && plane.is_near(m_.at(v))) near_[v.value] = 1;
   }
 
   /// An edge that goes through the face is short if both its ends are near, but ends nowhere there.

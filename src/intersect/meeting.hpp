@@ -71,9 +71,9 @@ struct Reach {
   friend bool operator==(const Reach&, const Reach&) = default;
 };
 
-/// Features that end on the other side or run along it: corners, and edges with both ends near it, with these. A
-/// line that goes through the other side meets it in one point, which need not be a vertex of it: that has no
-/// claim to be met although it is near.
+/// Features that end on the other side or run along it: corners, and edges with both ends near it, with these; so do
+/// other lines of the mesh (Side::is_line_edge). A line that goes through the other side meets it in one point, which
+/// need not be a vertex of it: that has no claim to be met although it is near.
 struct EndingFeatures {
   std::array<std::vector<std::uint8_t>, 2> vertex, edge;  // by side and vertex, local edge
 };

@@ -68,7 +68,7 @@ class Search {
     const Triangle t = m_.triangle(1 - s, p[1 - s]);
     const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
     for (const VertexId v : m_.side[s].corners(p[s])) {
-      if (ending_.vertex[s][v.value] == 0 || m_.has_symbol(s, v)) continue;
+      if (ending_.vertex[s][v.value] == 0 || !m_.side[s].is_feature(v) || m_.has_symbol(s, v)) continue;
       if (std::abs(dot(n, m_.at(v) - t[0])) > tolerance_ * norm(n)) continue;
       add({v.value, kNowhere}, p, s, m_.at(v), distance(m_.at(v), closest_on_triangle(m_.at(v), t).point));
     }
@@ -77,13 +77,18 @@ class Search {
   void look_at_edges(const FacePair& p) {
     for (const LocalEdge e : m_.side[0].edges(p[0]))
       for (const LocalEdge f : m_.side[1].edges(p[1])) {
-        if ((ending_.edge[0][e] == 0 && ending_.edge[1][f] == 0) || m_.share_end(e, f)) continue;
+        if ((!ends(0, e) && !ends(1, f)) || m_.share_end(e, f)) continue;
         const auto& [a, b] = m_.side[0].ends(e);
         const auto& [c, d] = m_.side[1].ends(f);
         if (are_apart(m_.at(a), m_.at(b), m_.at(c), m_.at(d), tolerance_)) continue;
         const SegmentPair near = closest_between_segments(m_.at(a), m_.at(b), m_.at(c), m_.at(d));
-        add({e, f}, p, ending_.edge[1][f], near.first.point, distance(near.first.point, near.second.point));
+        add({e, f}, p, ends(1, f) ? 1 : 0, near.first.point, distance(near.first.point, near.second.point));
       }
+  }
+
+  /// Other lines of a mesh need not end on anything.
+  [[nodiscard]] bool ends(std::size_t s, LocalEdge e) const {
+    return ending_.edge[s][e] != 0 && m_.side[s].is_feature_edge(e);
   }
 
   void add(std::array<std::uint32_t, 2> feature, const FacePair& p, std::size_t of, Vec3 at, double apart) {

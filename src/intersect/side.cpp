@@ -32,10 +32,32 @@ bool is_feature_edge(const Complex& complex, std::span<const Use> uses, const Fe
   return rule.borders_of_layers && !complex.layers.empty() && !complex.are_of_the_same(uses[0].face, uses[1].face);
 }
 
+/// Between groups or attributes of one mesh; the border of what lies on it is another matter.
+bool is_border(const Complex& complex, std::span<const Use> uses) {
+  const auto differ = [&](const Use& u) {
+    if (!complex.are_of_the_same(uses[0].face, u.face)) return false;
+    return complex.face_groups[u.face.value] != complex.face_groups[uses[0].face.value] ||
+           complex.face_attributes[u.face.value] != complex.face_attributes[uses[0].face.value];
+  };
+  return std::ranges::any_of(uses, differ);
+}
+
+/// Of edges with 1D elements, ascending.
+std::vector<std::uint64_t> keys_of_lines(const Complex& complex) {
+  std::vector<std::uint64_t> keys;
+  keys.reserve(complex.lines.size());
+  for (const Complex::Line& line : complex.lines) keys.push_back(key(line.ends[0], line.ends[1]));
+  std::ranges::sort(keys);
+  return keys;
+}
+
 }  // namespace
 
 Side::Side(const Complex& complex, std::vector<FaceId> near, std::span<const std::uint8_t> own, const FeatureRule& rule)
-    : faces_(std::move(near)), vertex_feature_(complex.n_vertices()), vertex_corner_(complex.n_vertices()) {
+    : faces_(std::move(near)),
+      vertex_feature_(complex.n_vertices()),
+      vertex_corner_(complex.n_vertices()),
+      vertex_line_(complex.n_vertices()) {
   corners_.reserve(faces_.size());
   for (const FaceId f : faces_) corners_.push_back(complex.face[f.value]);
   find_edges(complex, own, rule);
@@ -61,6 +83,7 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
   }
   std::stable_sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) { return a.edge < b.edge; });
 
+  const std::vector<std::uint64_t> lines = keys_of_lines(complex);
   std::vector<std::array<VertexId, 2>> feature_edges;  // both ways
   edges_.resize(faces_.size());
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last) {
@@ -72,6 +95,8 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
       vertex_feature_[low.value] = vertex_feature_[high.value] = 1;
       feature_edges.push_back({low, high}), feature_edges.push_back({high, low});
     }
+    const bool line = feature || is_border(complex, at) || std::ranges::binary_search(lines, at[0].edge);
+    if (line) vertex_line_[low.value] = vertex_line_[high.value] = 1;
     if (std::all_of(at.begin(), at.end(), [](const Use& u) { return u.local == kNowhere; })) continue;
     first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
     for (const Use& u : at) {
@@ -81,7 +106,7 @@ void Side::find_edges(const Complex& complex, std::span<const std::uint8_t> own,
     }
     ends_.push_back({low, high});
     n_at_edge_.push_back(static_cast<std::uint32_t>(at.size()));
-    edge_feature_.push_back(feature);
+    edge_feature_.push_back(feature), edge_line_.push_back(line);
   }
   first_at_edge_.push_back(static_cast<std::uint32_t>(at_edge_.size()));
   for (std::size_t v = 0; v < marked.size(); ++v)

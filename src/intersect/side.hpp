@@ -55,6 +55,10 @@ class Side {
   /// Free, sharp or non-manifold edges, and borders of what lies on the mesh; their ends; pinned vertices.
   [[nodiscard]] bool is_feature(VertexId v) const { return vertex_feature_[v.value]; }
   [[nodiscard]] bool is_feature_edge(LocalEdge e) const { return edge_feature_[e]; }
+  /// Features, and what stays a line of the mesh besides: borders between groups or attributes, edges with 1D elements;
+  /// their ends. They end nowhere, but what ends beside them ends on them: no good face fits between.
+  [[nodiscard]] bool is_line(VertexId v) const { return vertex_line_[v.value]; }
+  [[nodiscard]] bool is_line_edge(LocalEdge e) const { return edge_line_[e]; }
   /// A place of its own: a pinned vertex, or one where feature edges end, branch or turn sharply.
   [[nodiscard]] bool is_corner(VertexId v) const { return vertex_corner_[v.value]; }
 
@@ -70,7 +74,7 @@ class Side {
   Buckets<LocalFace> at_vertex_;
   std::vector<std::uint32_t> first_at_edge_, n_at_edge_;
   std::vector<LocalFace> at_edge_;
-  std::vector<std::uint8_t> edge_feature_, vertex_feature_, vertex_corner_;
+  std::vector<std::uint8_t> edge_feature_, vertex_feature_, vertex_corner_, edge_line_, vertex_line_;
 };
 
 }  // namespace meshgraft
