@@ -69,6 +69,18 @@ TEST(Assembly, APadEndsOnThePipeThroughItAndTheWall) {
     }
 }
 
+/// The rim of a base stays, and the facets of the pipe are drawn out to its corners. The wall that lies on the base
+/// goes through them beside those corners once more as they were.
+TEST(Assembly, APipeEndsOnTheRimOfAPadThatIsTheBase) {
+  for (const std::size_t facets : {24u, 28u, 36u, 40u, 44u}) {
+    SCOPED_TRACE(facets);
+    MergeOptions options;
+    options.tolerance = {0.2, true};
+    expect_joined(pad(facets, 0), std::array{pipe(-60), wall()}, options);
+    expect_joined(pad(facets, 0), std::array{wall(), pipe(-60)}, options);
+  }
+}
+
 /// A vessel, a nozzle through it, and a saddle pad around that, half of both plates off.
 TEST(Assembly, ASaddlePadEndsOnTheNozzleThroughIt) {
   const Model vessel = scenes::cylinder({-200, 0, 0}, {200, 0, 0}, 100, 10, "VESSEL");
