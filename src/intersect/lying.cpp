@@ -123,8 +123,9 @@ struct Spot {
   double beside = 0;
   std::uint32_t on = 0;  // vertex, edge or face of the other side
   double t = 0;
-  Vec3 point;  // there
-  Vec3 own;    // in its own surface, where it slides to for that
+  Vec3 point;            // there
+  Vec3 own;              // in its own surface, where it slides to for that
+  bool is_mere = false;  // on an edge that is no line of the other side
 };
 
 class Declarer {
@@ -148,7 +149,7 @@ class Declarer {
 
   /// Vertices of features that lie beside a feature of the other side, as seen along the normal; and what would
   /// leave a sliver: any vertex of the side that goes beside an imprinted edge of the other, any edge of it
-  /// beside an imprinted vertex.
+  /// beside an imprinted vertex. Lines come first: where one is a mere edge may be nearer.
   void snap_to_features(std::size_t s) {
     const std::size_t o = 1 - s;
     std::vector<Spot> spots;
@@ -156,7 +157,8 @@ class Declarer {
       for (const VertexId v : m_.side[s].corners(p[s]))
         if (!m_.has_symbol(s, v)) add_spots(s, v, p, spots);
     std::sort(spots.begin(), spots.end(), [](const Spot& a, const Spot& b) {
-      return std::tie(a.dimension, a.beside, a.vertex, a.on) < std::tie(b.dimension, b.beside, b.vertex, b.on);
+      return std::tie(a.dimension, a.is_mere, a.beside, a.vertex, a.on) <
+             std::tie(b.dimension, b.is_mere, b.beside, b.vertex, b.on);
     });
     for (const Spot& spot : spots) {
       if (m_.has_symbol(s, spot.vertex)) continue;
@@ -212,9 +214,10 @@ class Declarer {
           l_.is_fold(s, v) || (!l_.rims.empty() && m_.side[s].is_feature(v) && other.is_feature_edge(e));
       const bool to_border = !may_slide && runs_along && l_.imprinted_edge[o][e] != 0;
       const bool to_fold = l_.imprinted_vertex[s][v.value] != 0 && l_.is_fold(o, e);
-      const bool to_edge = (is_feature && other.is_feature_edge(e)) || to_fold || to_border ||
-                           (may_slide ? l_.imprinted_edge[o][e] != 0 : l_.imprinted_vertex[s][v.value] != 0);
-      if (!to_edge) continue;
+      const bool to_line = (is_feature && other.is_feature_edge(e)) || to_fold || to_border ||
+                           (may_slide && l_.imprinted_edge[o][e] != 0);
+      const bool to_mere = !may_slide && l_.imprinted_vertex[s][v.value] != 0;
+      if (!to_line && !to_mere) continue;
       const Vec3 a = l_.at(o, other.ends(e)[0]), b = l_.at(o, other.ends(e)[1]);
       const Vec3 flat = l_.at(s, v) - dot(n, l_.at(s, v) - a) * n;
       const SegmentPoint c = closest_on_segment(flat, a, b);
@@ -222,7 +225,7 @@ class Declarer {
       if (may_slide && other.is_feature_edge(e) && std::ranges::binary_search(l_.rims, v))
         limit = std::max(limit, l_.rule.snap.at(size).feature);
       if (c.t > 0 && c.t < 1 && offset(c.point) <= limit)
-        spots.push_back({v, 1, offset(c.point), e, c.t, c.point, slid(c.point)});
+        spots.push_back({v, 1, offset(c.point), e, c.t, c.point, slid(c.point), !to_line});
     }
   }
 

@@ -59,8 +59,8 @@ void expect_joined(const Model& base, std::span<const Model> parts, const MergeO
 /// The rim of the hole, of facets of its own, is drawn onto the pipe, so that pad, wall and pipe meet in one line.
 TEST(Assembly, APadEndsOnThePipeThroughItAndTheWall) {
   for (const Assembly& a : assemblies())
-    for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject}) {
-      SCOPED_TRACE(a.name);
+    for (const Overlap overlap : {Overlap::kFuse, Overlap::kProject, Overlap::kKeepPart}) {
+      SCOPED_TRACE(testing::Message() << a.name << ", overlap " << static_cast<int>(overlap));
       MergeOptions options;
       options.tolerance = a.tolerance, options.overlap = overlap;
       expect_joined(a.wall, std::array{a.pipe, a.pad}, options);
