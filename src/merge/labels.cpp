@@ -10,6 +10,7 @@
 namespace meshgraft {
 namespace {
 
+constexpr std::int64_t kLargestInColumns = 99'999'999;                                // of eight digits, as of Nastran
 constexpr std::int64_t kLargestElsewhere = std::numeric_limits<std::int32_t>::max();  // most programs have 32 bits
 
 /// The labels of one input, as runs of consecutive ones.
@@ -85,7 +86,7 @@ class Numbering {
   [[nodiscard]] std::int64_t shift_of(std::int64_t least, std::int64_t most) const {
     const auto multiple_of = [&](std::int64_t step) { return ((largest - least) / step + 1) * step; };
     const std::array by{multiple_of(power_of_ten_above(largest_own_)), multiple_of(power_of_ten_above(most - least))};
-    for (const std::int64_t limit : {kLargestElsewhere, kLargestLabel})
+    for (const std::int64_t limit : {kLargestInColumns, kLargestElsewhere, kLargestLabel})
       for (const std::int64_t b : by)
         if (most + b <= limit) return b;
     return multiple_of(1);

@@ -56,12 +56,25 @@ TEST(Labels, AnInputAlsoGivesWayToShiftedLabelsOfTheOneBefore) {
   EXPECT_EQ(l.node_shift[2], 100);
 }
 
-TEST(Labels, ManyInputsWithTheSameLabelsMoveByMultiplesOfOnePower) {
+TEST(Labels, ManyInputsWithTheSameLabelsMoveByMultiplesOfOnePowerAsLongAsTheyHaveEightDigits) {
   std::vector<Model> models{with_labels({1, 5'000'000})};
   for (int k = 0; k < 40; ++k) models.push_back(with_labels({1, 57, 999}));
   const Labels l = labels(models);
-  for (std::size_t k = 1; k < models.size(); ++k) EXPECT_EQ(l.node_shift[k], std::int64_t(k) * 10'000'000) << k;
-  EXPECT_EQ(l.first_new_node, 400'001'000);
+  for (std::size_t k = 1; k < 10; ++k) EXPECT_EQ(l.node_shift[k], std::int64_t(k) * 10'000'000) << k;
+  for (std::size_t k = 10; k < models.size(); ++k)
+    EXPECT_EQ(l.node_shift[k], 90'001'000 + 1000 * std::int64_t(k - 10)) << k;
+  EXPECT_EQ(l.first_new_node, 90'032'000);
+}
+
+/// One part after the other, each call with the result of the one before: the power above all that is there grows
+/// tenfold with each.
+TEST(Labels, OfCallAfterCallStayBelowEightDigits) {
+  std::vector<std::int64_t> base{1, 1000};
+  for (int call = 0; call < 12; ++call) {
+    const Labels l = labels({with_labels(base), with_labels({1, 57, 999})});
+    base.insert(base.end(), {l.node_shift[1] + 1, l.node_shift[1] + 999});
+  }
+  EXPECT_LE(base.back(), 99'999'999);
 }
 
 TEST(Labels, WhereMultiplesLeadBeyond32BitsTheyFollowEachOtherClosely) {
