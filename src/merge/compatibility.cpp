@@ -143,16 +143,15 @@ std::vector<ElementId> some_faces(const Model& model, std::size_t wanted) {
 
 double ratio(double a, double b) { return std::min(a, b) > 0 ? std::max(a, b) / std::min(a, b) : 1; }
 
-/// Lengths that the user gave against the size of a model.
-Result<void> check_lengths(const Model& model, const Extent& extent, const MergeOptions& options) {
+/// Lengths that the user gave against the size of `of`, a mesh at `place`.
+Result<void> check_lengths(const std::string& of, double diagonal, const Place& place, const MergeOptions& options) {
   const auto refuse = [&](const std::string& what, const std::string& hint) {
-    return failure(ErrorCode::kUsage, what + ", but " + model.path + " is only " + text_of(extent.diagonal) + " across",
-                   hint, {model.path, 0});
+    return failure(ErrorCode::kUsage, what + ", but " + of + " is only " + text_of(diagonal) + " across", hint, place);
   };
-  if (!options.tolerance.relative && options.tolerance.value >= extent.diagonal)
+  if (!options.tolerance.relative && options.tolerance.value >= diagonal)
     return refuse("tolerance of " + text_of(options.tolerance.value),
                   "give a length below that; half the plate thickness closes gaps between mid-surfaces");
-  if (options.trim && *options.trim >= extent.diagonal)
+  if (options.trim && *options.trim >= diagonal)
     return refuse("loose ends of up to " + text_of(*options.trim) + " to be trimmed",
                   "give the length by which the part sticks out, and a little more");
   return {};
@@ -178,7 +177,8 @@ Result<void> check_compatible(Inputs inputs, const MergeOptions& options, const 
   if (const auto ok = check_places(inputs); !ok) return ok;
   if (const auto ok = check_systems(inputs); !ok) return ok;
   for (std::size_t k = 0; k < inputs.size(); ++k)
-    if (const auto ok = check_lengths(*inputs[k], extents[k], options); !ok) return ok;
+    if (const auto ok = check_lengths(inputs[k]->path, extents[k].diagonal, {inputs[k]->path, 0}, options); !ok)
+      return ok;
   for (std::size_t k = 1; k < inputs.size(); ++k) {
     const Extent &a = extents[0], &b = extents[k];
     const double times = std::min(ratio(a.diagonal, b.diagonal), ratio(a.mean_edge, b.mean_edge));
@@ -211,6 +211,32 @@ Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<Elemen
                    "edge length of " + text_of(*options.size) + " asked for, where edges are " +
                        text_of(*std::ranges::min_element(edge)) + " long",
                    "give a length nearer to that, in the unit of the files");
+  return {};
+}
+
+Result<void> check_component_sizes(Inputs inputs, const Components& components,
+                                   std::span<const std::vector<ElementId>> candidates, const MergeOptions& options) {
+  if (!components.are_parted()) return {};
+  std::vector<std::uint8_t> is_near(components.size());
+  std::vector<Box> box(components.size());
+  std::vector<ElementRef> first(components.size());
+  for (std::uint32_t k = 0; k < inputs.size(); ++k) {
+    const Model& model = *inputs[k];
+    for (const ElementId f : candidates[k]) is_near[components.of({k, f})] = 1;
+    for (std::size_t e = 0; e < model.n_elements(); ++e) {
+      const ElementRef face{k, ElementId(e)};
+      if (!model.is_face(face.element)) continue;
+      const std::uint32_t c = components.of(face);
+      if (!first[c].valid()) first[c] = face;
+      for (const Vec3& p : model.corners(face.element)) box[c].add(p);
+    }
+  }
+  for (std::uint32_t c = 0; c < components.size(); ++c) {
+    if (is_near[c] == 0) continue;
+    const Place place = place_of(*inputs[first[c].input], first[c].element);
+    const std::string of = "the mesh of " + text_of(inputs, first[c]);
+    if (const auto ok = check_lengths(of, box[c].diagonal(), place, options); !ok) return ok;
+  }
   return {};
 }
 

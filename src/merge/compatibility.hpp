@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/components.hpp"
 #include "merge/inputs.hpp"
 #include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
@@ -26,5 +27,11 @@ struct CompatibilityLimits {
 /// as much from those of each: a far smaller one would take all memory. `candidates`: faces by input.
 [[nodiscard]] Result<void> check_local_scale(Inputs inputs, std::span<const std::vector<ElementId>> candidates,
                                              const MergeOptions& options, const CompatibilityLimits& limits = {});
+
+/// kUsage if a tolerance or a length to be trimmed is above the size of a component of an input that is several, and
+/// that comes near another. `candidates`: faces by input.
+[[nodiscard]] Result<void> check_component_sizes(Inputs inputs, const Components& components,
+                                                 std::span<const std::vector<ElementId>> candidates,
+                                                 const MergeOptions& options);
 
 }  // namespace meshgraft

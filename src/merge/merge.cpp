@@ -64,6 +64,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   const FaceRuns runs(inputs);
   const auto candidates = candidate_faces(inputs, runs, *components, search_options);
   if (const auto ok = check_local_scale(inputs, candidates, options); !ok) return Failure(ok.error());
+  if (const auto ok = check_component_sizes(inputs, *components, candidates, options); !ok) return Failure(ok.error());
   WorkpieceOptions workpiece_options;
   if (options.bandwidth) workpiece_options.reach = std::max(workpiece_options.reach, 1.0 + *options.bandwidth);
   if (options.trim) workpiece_options.least = *options.trim;
@@ -77,7 +78,7 @@ Result<Merged> merge(Inputs inputs, const MergeOptions& options) {
   corefine_options.mode = options.mode, corefine_options.overlap = options.overlap;
   auto corefined = corefine(original, graft.group_sets, corefine_options);
   if (!corefined) return Failure(to_error(inputs, corefined.error()));
-  if (const auto ok = check_something_left(inputs, original, *corefined); !ok) return Failure(ok.error());
+  if (const auto ok = check_something_left(inputs, *components, original, *corefined); !ok) return Failure(ok.error());
   if (const auto ok = check_parts_meet(inputs, *components, *corefined, options, report); !ok)
     return Failure(ok.error());
 

@@ -112,21 +112,30 @@ std::size_t gaps_in_a_row(const Corefined& corefined) {
   return most;
 }
 
-Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined) {
-  std::vector<std::uint64_t> before(inputs.size()), after(inputs.size());
-  for (const ElementRef parent : original.parent) ++before[parent.input];
-  for (const ElementRef parent : corefined.complex.parent) ++after[parent.input];
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
+Result<void> check_something_left(Inputs inputs, const Components& components, const Complex& original,
+                                  const Corefined& corefined) {
+  std::vector<std::uint64_t> before(components.size()), after(components.size());
+  for (const std::uint32_t c : original.component) ++before[c];
+  for (const std::uint32_t c : corefined.complex.component) ++after[c];
+  std::vector<std::uint8_t> deleted(components.size());
+  for (const Corefined::Covered& face : corefined.covered)
+    if (!face.has_heir) deleted[face.component] = 1;
+  for (std::uint32_t c = 0; c < components.size(); ++c) {
+    if (deleted[c] == 0 || after[c] > 0) continue;
+    const std::uint32_t k = components.input[c];
     const Model& model = *inputs[k];
-    const auto deleted = [&](const Corefined::Covered& c) { return c.face.input == k && !c.has_heir; };
-    if (before[k] == 0 || after[k] > 0 || std::ranges::none_of(corefined.covered, deleted)) continue;
     std::uint64_t all = 0;
-    for (std::size_t e = 0; e < model.n_elements(); ++e) all += model.is_face(ElementId(e)) ? 1 : 0;
-    if (before[k] == all)
-      return failure(
-          ErrorCode::kOverlap,
-          "all " + std::to_string(all) + " faces of " + model.path + " lie on another mesh and would be deleted",
-          "use --overlap fuse or project, or keep the other side", {model.path, 0});
+    ElementId first;
+    for (std::size_t e = model.n_elements(); e-- > 0;)
+      if (model.is_face(ElementId(e)) && components.of({k, ElementId(e)}) == c) ++all, first = ElementId(e);
+    if (before[c] != all) continue;
+    const bool is_whole = !components.are_parted();
+    return failure(ErrorCode::kOverlap,
+                   "all " + std::to_string(all) + " faces of " +
+                       (is_whole ? model.path : "the mesh of " + text_of(inputs, {k, first})) +
+                       " lie on another mesh and would be deleted",
+                   "use --overlap fuse or project, or keep the other side",
+                   is_whole ? Place{model.path, 0} : place_of(model, first));
   }
   return {};
 }

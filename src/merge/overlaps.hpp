@@ -38,8 +38,9 @@ void add_losses(Inputs inputs, const Corefined& corefined, const Complex& final_
 /// the first ends on the second and then, with it, on the third. At least 1.
 [[nodiscard]] std::size_t gaps_in_a_row(const Corefined& corefined);
 
-/// kOverlap if all faces of an input go.
-[[nodiscard]] Result<void> check_something_left(Inputs inputs, const Complex& original, const Corefined& corefined);
+/// kOverlap if all faces of a component go.
+[[nodiscard]] Result<void> check_something_left(Inputs inputs, const Components& components, const Complex& original,
+                                                const Corefined& corefined);
 
 /// Fused faces whose parents differ in attributes have those of the first: said once for each
 /// pair of attributes.

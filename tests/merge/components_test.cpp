@@ -96,6 +96,28 @@ TEST(SelfMerge, AnAssemblyGivesWhatItsPartsGive) {
   EXPECT_FALSE(together.report.moved.empty());
 }
 
+TEST(SelfMerge, AMeshThatWouldBeDeletedAsAWholeIsAnErrorAsIfItWereAPart) {
+  const Model assembly = scenes::together(
+      std::array{wall(), scenes::staggered_plate({0.55, 0.55, 0}, {0.5, 0, 0}, {0, 0.5, 0}, 0.09, "DOUBLER", 0.15)});
+  MergeOptions options;
+  options.overlap = Overlap::kKeepBase;
+  const auto result = merge(assembly, {}, options);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kOverlap);
+  EXPECT_NE(result.error().what.find("faces of the mesh of element"), std::string::npos) << result.error().what;
+}
+
+TEST(SelfMerge, AToleranceAboveTheSizeOfAMeshIsAnErrorWithBothFigures) {
+  const Model assembly = scenes::together(std::array{wall(), along_x(0.8)});
+  MergeOptions options;
+  options.tolerance = {1.5, false};  // the wall is 2.8 across, the other mesh 1.36
+  const auto result = merge(assembly, {}, options);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+  EXPECT_NE(result.error().what.find("tolerance of 1.5"), std::string::npos) << result.error().what;
+  EXPECT_NE(result.error().what.find("is only 1.36"), std::string::npos) << result.error().what;
+}
+
 TEST(SelfMerge, MeshesThatDoNotMeetAreAnError) {
   const Model apart = scenes::together(std::array{wall(), along_x(0.8, 0.3)});
   const auto result = merge(apart, {});
