@@ -12,6 +12,7 @@
 #include "merge/labels.hpp"
 #include "merge/ledger.hpp"
 #include "merge/loose_pieces.hpp"
+#include "merge/mended_faces.hpp"
 #include "merge/near_misses.hpp"
 #include "merge/node_groups.hpp"
 #include "merge/outcome.hpp"
@@ -86,6 +87,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
       [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
       [&] { quality = quality_of(outcome, bad, options.min_quality); }, [&] { summarise(outcome, report); });
   append(report.warnings, std::move(loose_pieces));
+  append(report.warnings, mended_face_warnings(outcome));
   append(report.warnings, std::move(fine_zones));
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));

@@ -91,16 +91,26 @@ TEST(Merge, AFaceThatUsesANodeTwiceIsNamedOrLeftAsItIs) {
   EXPECT_GE(n_named, 4);
 }
 
-/// Many are replaced by good ones; the others are named.
+std::ptrdiff_t n_flat(const Model& model) {
+  std::ptrdiff_t n = 0;
+  for (std::size_t e = 0; e < model.n_elements(); ++e) n += aspect_ratio(model.corners(ElementId(e))) < 1e-9 ? 1 : 0;
+  return n;
+}
+
+/// Many are replaced by good ones, which is told; the others are named.
 TEST(Merge, AFaceWithoutAreaThatCannotBeRemeshedIsNamed) {
   const Model part = stiffener(0.43, 1.57, 0.97, 0.3, 0.4);
-  int n_merged = 0, n_named = 0;
+  std::ptrdiff_t n_merged = 0, n_named = 0, n_told = 0;
   for (const double x : {0.6, 0.83, 1.0, 1.17})
     for (const double y : {0.95, 1.03, 1.1, 1.17, 1.8}) {
-      const auto result = merge(wall_with_flat_face({x, y, 0}), std::span(&part, 1));
+      const Model wall = wall_with_flat_face({x, y, 0});
+      const auto result = merge(wall, std::span(&part, 1));
       if (result) {
         EXPECT_TRUE(result->report.broken_promises.empty()) << to_string(result->report.broken_promises.front());
-        ++n_merged;
+        const auto told = std::ranges::count(result->report.warnings, "mended-face", &Warning::name);
+        const Model merged = apply(wall, std::span(&part, 1), *result);
+        EXPECT_EQ(told, n_flat(wall) - n_flat(merged)) << x << ' ' << y;
+        ++n_merged, n_told += told;
       } else {
         EXPECT_EQ(result.error().code, ErrorCode::kDegenerateFace) << to_string(result.error());
         if (result.error().what.find("would have to be remeshed") != std::string::npos) ++n_named;
@@ -108,6 +118,7 @@ TEST(Merge, AFaceWithoutAreaThatCannotBeRemeshedIsNamed) {
     }
   EXPECT_GE(n_merged, 4);
   EXPECT_GE(n_named, 1);
+  EXPECT_GE(n_told, 1);
 }
 
 TEST(Merge, ACrossingPlateKeepsAllPromises) {
