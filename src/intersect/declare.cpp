@@ -115,9 +115,10 @@ struct Landing {
   std::uint32_t on = 0;  // LocalEdge or LocalFace of the other side
   double t = 0;          // on an edge
   Vec3 point;
-  bool is_gap = false;  // farther away than the weld length
-  VertexId beside;      // of the other side, if it lands beside one
-  bool is_at = false;   // nearer to that than the weld length
+  bool is_gap = false;   // farther away than the weld length
+  VertexId beside;       // of the other side, if it lands beside one
+  bool is_at = false;    // nearer to that than the weld length
+  bool on_line = false;  // on an edge that is one of a line of the mesh
 };
 
 /// Lands it beside the nearest of `vertices`, those of what it lands on, if that is near. What is there takes the
@@ -132,10 +133,11 @@ Landing landed(Landing l, const Meeting& m, std::span<const VertexId> vertices, 
   return l;
 }
 
-/// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order.
+/// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order. A line in reach comes
+/// before mere edges: where those are is chance.
 std::vector<Landing> nearest_of_each(std::vector<Landing> found) {
   std::sort(found.begin(), found.end(), [](const Landing& a, const Landing& b) {
-    return std::tie(a.vertex, a.distance, a.on) < std::tie(b.vertex, b.distance, b.on);
+    return std::tie(a.vertex, b.on_line, a.distance, a.on) < std::tie(b.vertex, a.on_line, b.distance, b.on);
   });
   const auto same = [](const Landing& a, const Landing& b) { return a.vertex == b.vertex; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
@@ -204,7 +206,8 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
             !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d) &&
             !(s == 0 && is_met_in(m, e, v, c.point, d)))
           continue;
-        found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false}, m, other.ends(e), snap.weld));
+        found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false, other.is_line_edge(e)}, m,
+                               other.ends(e), snap.weld));
       }
     }
   }
@@ -224,7 +227,7 @@ std::vector<Landing> landings_on_faces(const Meeting& m, std::size_t s) {
       const TrianglePoint c = closest_on_triangle(m.at(v), t);
       const double d = distance(m.at(v), c.point);
       if (c.weight[0] > 0 && c.weight[1] > 0 && c.weight[2] > 0 && d <= gap)
-        found.push_back(landed({v, d, p[1 - s], 0, c.point, d > snap.weld, {}, false}, m,
+        found.push_back(landed({v, d, p[1 - s], 0, c.point, d > snap.weld, {}, false, false}, m,
                                m.side[1 - s].corners(p[1 - s]), snap.weld));
     }
   }

@@ -101,5 +101,24 @@ TEST(Meeting, AChordPassesTheNodeBeneathItWhereAFrameEndsThere) {
                            [](const Symbol& s) { return s.on[1].kind == Carrier::kEdge; }));
 }
 
+/// The corner of a gusset beside the line in which a brace has met a chord: an edge of the chord is nearer, and yet
+/// what lands there would leave a sliver between the gusset and the brace.
+TEST(Meeting, ACornerLandsOnALineInReachAlthoughAMereEdgeIsNearer) {
+  constexpr Vec3 kCorner{0.1, 0.02, 0.05};
+  ModelBuilder builder;
+  const NodeId foot = builder.add_node({0, 0, 0}), left = builder.add_node({-1, 0, 0}),
+               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, 0}),
+               back = builder.add_node({0, 1, 0}), top = builder.add_node({0, 0, 1});
+  for (const auto& [a, b] :
+       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {front, top}, {top, back}})
+    builder.add_to_group("F", builder.add_face(foot, a, b));
+  Met met(builder.build("chord and brace"), face(kCorner, {1, 0.2, 0.05}, {0.1, 0.02, 1}), 0.2);
+  Meeting& m = *met.meeting;
+  const VertexId corner = met.vertex(1, kCorner);
+  declare_vertices(m);
+  EXPECT_EQ(m.at(corner).x, 0);
+  EXPECT_EQ(m.at(corner).z, 0);
+}
+
 }  // namespace
 }  // namespace meshgraft
