@@ -22,6 +22,20 @@ Model face(Vec3 a, Vec3 b, Vec3 c) {
   return builder.build("face");
 }
 
+/// Two units square, with a node `foot` around its middle, and a wall of unit height on the line through that; the
+/// floor is a hollow along y, down to the foot.
+Model floor_and_wall(Vec3 foot, bool wall_along_x) {
+  ModelBuilder builder;
+  const NodeId middle = builder.add_node(foot), left = builder.add_node({-1, 0, 0}),
+               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, foot.z}),
+               back = builder.add_node({0, 1, foot.z}), top = builder.add_node({0, 0, 1});
+  const auto add = [&](NodeId a, NodeId b) { builder.add_to_group("F", builder.add_face(middle, a, b)); };
+  add(right, back), add(back, left), add(left, front), add(front, right);
+  const NodeId from = wall_along_x ? right : front, to = wall_along_x ? left : back;
+  add(from, top), add(top, to);
+  return builder.build("floor and wall");
+}
+
 /// All pairs of faces of two meshes with edges of about unit length.
 struct Met {
   Met(const Model& below, const Model& above, double tolerance)
@@ -67,14 +81,7 @@ TEST(Meeting, NothingLandsInAFaceAtItsCorner) {
 /// would be met by all edges of the node, a few weld lengths away.
 TEST(Meeting, WhatLandsOnAnEdgeBesideItsEndLandsOnThat) {
   constexpr double kBeside = 5e-6, kGap = 0.05;
-  ModelBuilder builder;
-  const NodeId foot = builder.add_node({0, 0, 0}), left = builder.add_node({-1, 0, 0}),
-               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, 0}),
-               back = builder.add_node({0, 1, 0}), top = builder.add_node({0, 0, 1});
-  for (const auto& [a, b] :
-       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {right, top}, {top, left}})
-    builder.add_to_group("F", builder.add_face(foot, a, b));
-  Met met(builder.build("floor and wall"), face({kBeside, kGap, 0}, {kBeside, 1, 0}, {kBeside, 0.5, 1}), 0.1);
+  Met met(floor_and_wall({0, 0, 0}, true), face({kBeside, kGap, 0}, {kBeside, 1, 0}, {kBeside, 0.5, 1}), 0.1);
   Meeting& m = *met.meeting;
   const VertexId end = met.vertex(1, {kBeside, kGap, 0}), node = met.vertex(0, {0, 0, 0});
   declare_vertices(m);
@@ -87,14 +94,7 @@ TEST(Meeting, WhatLandsOnAnEdgeBesideItsEndLandsOnThat) {
 /// the frame's faces meet of the edge below there would be one place twice.
 TEST(Meeting, AChordPassesTheNodeBeneathItWhereAFrameEndsThere) {
   constexpr double kBeside = 1e-4, kGap = 0.02;
-  ModelBuilder builder;
-  const NodeId foot = builder.add_node({0, kBeside, -kGap}), left = builder.add_node({-1, 0, 0}),
-               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, -kGap}),
-               back = builder.add_node({0, 1, -kGap}), top = builder.add_node({0, 0, 1});
-  for (const auto& [a, b] :
-       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {front, top}, {top, back}})
-    builder.add_to_group("F", builder.add_face(foot, a, b));
-  Met met(builder.build("skin and frame"), face({-1, 0, 0}, {1, 0, 0}, {0.2, 0, 1}), 0.1);
+  Met met(floor_and_wall({0, kBeside, -kGap}, false), face({-1, 0, 0}, {1, 0, 0}, {0.2, 0, 1}), 0.1);
   Meeting& m = *met.meeting;
   declare_vertices(m);
   EXPECT_TRUE(m.any_symbol(0, met.vertex(0, {0, kBeside, -kGap}),
@@ -105,14 +105,7 @@ TEST(Meeting, AChordPassesTheNodeBeneathItWhereAFrameEndsThere) {
 /// what lands there would leave a sliver between the gusset and the brace.
 TEST(Meeting, ACornerLandsOnALineInReachAlthoughAMereEdgeIsNearer) {
   constexpr Vec3 kCorner{0.1, 0.02, 0.05};
-  ModelBuilder builder;
-  const NodeId foot = builder.add_node({0, 0, 0}), left = builder.add_node({-1, 0, 0}),
-               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, 0}),
-               back = builder.add_node({0, 1, 0}), top = builder.add_node({0, 0, 1});
-  for (const auto& [a, b] :
-       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {front, top}, {top, back}})
-    builder.add_to_group("F", builder.add_face(foot, a, b));
-  Met met(builder.build("chord and brace"), face(kCorner, {1, 0.2, 0.05}, {0.1, 0.02, 1}), 0.2);
+  Met met(floor_and_wall({0, 0, 0}, false), face(kCorner, {1, 0.2, 0.05}, {0.1, 0.02, 1}), 0.2);
   Meeting& m = *met.meeting;
   const VertexId corner = met.vertex(1, kCorner);
   declare_vertices(m);
