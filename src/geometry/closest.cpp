@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace meshgraft {
+namespace {
+
+constexpr double kNeedle = 1e-12;  // squared sine of an angle of a triangle below which it has no inside to speak of
+
+}  // namespace
 
 SegmentPoint closest_on_segment(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 d = b - a;
@@ -31,9 +36,13 @@ TrianglePoint closest_on_triangle(Vec3 p, const Triangle& t) {
     const double sum = u + v + w;
     return {(u * a + v * b + w * c) / sum, {u / sum, v / sum, w / sum}};
   }
+  // Only edges that the point is beyond can be nearest; of a needle no sign tells that.
+  const bool is_needle = n2 <= kNeedle * squared_norm(b - a) * squared_norm(c - a);
+  const std::array<bool, 3> beyond{is_needle || w < 0, is_needle || u < 0, is_needle || v < 0};
   TrianglePoint best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
+    if (!beyond[k]) continue;
     const std::size_t l = (k + 1) % 3;
     const SegmentPoint q = closest_on_segment(p, t[k], t[l]);
     const double d = squared_norm(p - q.point);

@@ -1,5 +1,7 @@
 #include "intersect/corefine.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -81,11 +83,13 @@ class Corefiner {
       for (const FaceId f : near_[c].earlier) near[complex_.component[f.value]].push_back(f);
     }
     const SnapRule snap(largest_, options, true);
-    for (std::vector<FaceId>& faces : near) {
-      make_distinct(faces);
-      if (auto fault = find_thin_part(complex_, faces, size_, {options, snap})) return fault;
-    }
-    return std::nullopt;
+    std::vector<std::optional<JunctionFault>> fault(near.size());
+    tbb::parallel_for(std::size_t{0}, near.size(), [&](std::size_t c) {
+      make_distinct(near[c]);
+      fault[c] = find_thin_part(complex_, near[c], size_, {options, snap});
+    });
+    const auto first = std::ranges::find_if(fault, [](const auto& f) { return f.has_value(); });
+    return first == fault.end() ? std::nullopt : std::move(*first);
   }
 
   [[nodiscard]] std::vector<VertexId> rims_in(const CutOut& part) const {

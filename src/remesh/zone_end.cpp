@@ -4,12 +4,13 @@
 #include <memory>
 #include <tuple>
 
-#include "geometry/closest.hpp"
+#include "core/blocks.hpp"
 #include "zone/size_limits.hpp"
 
 namespace meshgraft {
 namespace {
 
+constexpr std::size_t kSizeBlock = 64;  // edges at which the size is asked for in one go
 constexpr double kTooShort = 0.5;  // of the wanted size: a face on such an edge and as high as wanted has Q 0.67
 
 /// A side of a face of the zone, or of one beside it.
@@ -47,14 +48,18 @@ std::vector<Use> edges_at_end(const Complex& complex, const std::vector<std::uin
 
 Sizing sizing_in_zone(const Complex& complex, const Brep& brep, const SizeField& size,
                       const std::vector<std::uint8_t>& in_zone) {
-  std::vector<SizeLimit> limits;
-  for (const Use& end : edges_at_end(complex, in_zone)) {
-    const Vec3 a = complex.position[end.low.value], b = complex.position[end.high.value];
-    const double wanted = size.at(brep.sheet_of_face[end.face.value], midpoint(a, b)), length = distance(a, b);
-    if (length >= kTooShort * wanted) continue;
-    const double allowed = std::max(length, SizeOptions{}.gap_floor * wanted);
-    limits.push_back({a, b, allowed, allowed});
-  }
+  const std::vector<Use> ends = edges_at_end(complex, in_zone);
+  std::vector<SizeLimit> limits = collected<SizeLimit>(
+      ends.size(),
+      [&](std::size_t i, std::vector<SizeLimit>& out) {
+        const Use& end = ends[i];
+        const Vec3 a = complex.position[end.low.value], b = complex.position[end.high.value];
+        const double wanted = size.at(brep.sheet_of_face[end.face.value], midpoint(a, b)), length = distance(a, b);
+        if (length >= kTooShort * wanted) return;
+        const double allowed = std::max(length, SizeOptions{}.gap_floor * wanted);
+        out.push_back({a, b, allowed, allowed});
+      },
+      kSizeBlock);
   Sizing sizing = sizing_of(size);
   if (limits.empty()) return sizing;
   const auto at_end = std::make_shared<const SizeLimits>(std::move(limits), size.gradation());
