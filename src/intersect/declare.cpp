@@ -118,7 +118,7 @@ struct Landing {
   bool is_gap = false;   // farther away than the weld length
   VertexId beside;       // of the other side, if it lands beside one
   bool is_at = false;    // nearer to that than the weld length
-  bool on_line = false;  // on an edge that is one of a line of the mesh
+  bool on_line = false;  // of side 1, which moves: on an edge that is one of a line of the mesh
 };
 
 /// Lands it beside the nearest of `vertices`, those of what it lands on, if that is near. What is there takes the
@@ -133,11 +133,12 @@ Landing landed(Landing l, const Meeting& m, std::span<const VertexId> vertices, 
   return l;
 }
 
-/// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order. A line in reach comes
-/// before mere edges: where those are is chance.
+/// The nearest landing of each vertex, ties by id, the nearest first; `found` in any order. Across a gap, a line in
+/// reach comes before mere edges: where those are is chance.
 std::vector<Landing> nearest_of_each(std::vector<Landing> found) {
   std::sort(found.begin(), found.end(), [](const Landing& a, const Landing& b) {
-    return std::tie(a.vertex, b.on_line, a.distance, a.on) < std::tie(b.vertex, a.on_line, b.distance, b.on);
+    return std::tie(a.vertex, a.is_gap, b.on_line, a.distance, a.on) <
+           std::tie(b.vertex, b.is_gap, a.on_line, b.distance, b.on);
   });
   const auto same = [](const Landing& a, const Landing& b) { return a.vertex == b.vertex; };
   found.erase(std::unique(found.begin(), found.end(), same), found.end());
@@ -206,7 +207,7 @@ std::vector<Landing> landings_on_edges(const Meeting& m, std::size_t s) {
             !is_straight_across(m, s, m.side[s].faces_at(v), m.at(v), c.point, d) &&
             !(s == 0 && is_met_in(m, e, v, c.point, d)))
           continue;
-        found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false, other.is_line_edge(e)}, m,
+        found.push_back(landed({v, d, e, c.t, c.point, d > snap.weld, {}, false, s == 1 && other.is_line_edge(e)}, m,
                                other.ends(e), snap.weld));
       }
     }

@@ -101,16 +101,41 @@ TEST(Meeting, AChordPassesTheNodeBeneathItWhereAFrameEndsThere) {
                            [](const Symbol& s) { return s.on[1].kind == Carrier::kEdge; }));
 }
 
-/// The corner of a gusset beside the line in which a brace has met a chord: an edge of the chord is nearer, and yet
-/// what lands there would leave a sliver between the gusset and the brace.
+/// A chord in the plane z = 0 and a brace on it, in y z: they have met on the y axis.
+Model chord_and_brace() {
+  ModelBuilder builder;
+  const NodeId foot = builder.add_node({0, 0, 0}), left = builder.add_node({-1, 0, 0}),
+               right = builder.add_node({1, 0, 0}), front = builder.add_node({0, -1, 0}),
+               back = builder.add_node({0, 1, 0}), top = builder.add_node({0, 0, 1});
+  for (const auto& [a, b] :
+       {std::pair{right, back}, {back, left}, {left, front}, {front, right}, {front, top}, {top, back}})
+    builder.add_to_group("F", builder.add_face(foot, a, b));
+  return builder.build("chord and brace");
+}
+
+// Beside the line in which brace and chord have met; an edge of the chord is nearer.
+constexpr Vec3 kBesideLine{0.1, 0.02, 0.05};
+const Model kGusset = face(kBesideLine, {1, 0.2, 0.05}, {0.1, 0.02, 1});
+
+/// What lands on the nearer edge would leave a sliver between the gusset and the brace.
 TEST(Meeting, ACornerLandsOnALineInReachAlthoughAMereEdgeIsNearer) {
-  constexpr Vec3 kCorner{0.1, 0.02, 0.05};
-  Met met(floor_and_wall({0, 0, 0}, false), face(kCorner, {1, 0.2, 0.05}, {0.1, 0.02, 1}), 0.2);
+  Met met(chord_and_brace(), kGusset, 0.2);
   Meeting& m = *met.meeting;
-  const VertexId corner = met.vertex(1, kCorner);
+  const VertexId corner = met.vertex(1, kBesideLine);
   declare_vertices(m);
   EXPECT_EQ(m.at(corner).x, 0);
   EXPECT_EQ(m.at(corner).z, 0);
+}
+
+/// Vertices of the first side stay, and the second bends to them: the less the nearer the edge is.
+TEST(Meeting, ACornerOfTheFirstSideTakesTheNearestEdge) {
+  Met met(kGusset, chord_and_brace(), 0.2);
+  Meeting& m = *met.meeting;
+  const VertexId corner = met.vertex(0, kBesideLine);
+  declare_vertices(m);
+  EXPECT_TRUE(m.any_symbol(0, corner, [&](const Symbol& s) {
+    return s.on[1].kind == Carrier::kEdge && !m.side[1].is_line_edge(s.on[1].id);
+  }));
 }
 
 }  // namespace
