@@ -8,6 +8,7 @@ namespace meshgraft {
 namespace {
 
 constexpr double kExcused = 0.1;  // Q below which no input is an excuse: that of an angle of 3.5 degrees
+constexpr double kWorse = 0.99;   // share of its Q that rounding leaves a face
 constexpr std::size_t kWorstListed = 10;
 constexpr double kFirstPercentile = 0.01;
 
@@ -31,6 +32,14 @@ class Causes {
  private:
   std::vector<BadFace> bad_;
 };
+
+/// A face that is kept and has become poor because a corner of it is at another place.
+bool is_made_poor(const Outcome& outcome, FaceId f, double min_quality) {
+  if (outcome.is_new(f) || !outcome.is_changed(f)) return false;
+  const double q = aspect_ratio(outcome.final_complex.corners(f));
+  const ElementRef parent = outcome.final_complex.parent[f.value];
+  return q < min_quality && q < kWorse * aspect_ratio(outcome.inputs[parent.input]->corners(parent.element));
+}
 
 std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& faces, const Causes& causes,
                     double min_quality) {
@@ -81,7 +90,8 @@ QualityVerdict quality_of(const Outcome& outcome, std::span<const BadFace> bad, 
   const Complex& complex = outcome.final_complex;
   std::vector<FaceQuality> faces;
   for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    if (outcome.is_new(FaceId(f))) faces.push_back({aspect_ratio(complex.corners(FaceId(f))), FaceId(f)});
+    if (outcome.is_new(FaceId(f)) || is_made_poor(outcome, FaceId(f), min_quality))
+      faces.push_back({aspect_ratio(complex.corners(FaceId(f))), FaceId(f)});
   std::sort(faces.begin(), faces.end());
 
   QualityVerdict verdict;

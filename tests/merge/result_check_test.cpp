@@ -266,6 +266,25 @@ TEST(Coverage, GroupsThatNoNewFaceHasAreNoticed) {
   EXPECT_TRUE(says(coverage_of(m.outcome(), Tolerance{}).broken, "no new face has its groups"));
 }
 
+TEST(Quality, FacesThatAreKeptCountWhereAMovedNodeHasMadeThemPoor) {
+  constexpr double kWanted = 0.5;
+  HandMade m({plate()});
+  const VertexId v = m.vertex(0, 2);  // on the border y = 0
+  const Vec3 from = m.final_complex.position[v.value];
+  const auto quality_at = [&](Vec3 to) {
+    m.final_complex.position[v.value] = m.corefined.complex.position[v.value] = to;
+    m.corefined.moves = {{m.original.node[v.value], v, from, to}};
+    m.stitch_now();
+    return quality_of(m.outcome(), {}, kWanted);
+  };
+  EXPECT_EQ(quality_at(from + Vec3{0.1, 0, 0}).summary.below, 0u);
+  const QualityVerdict poor = quality_at(from + Vec3{0.8, 0, 0});
+  EXPECT_TRUE(std::ranges::all_of(m.stitched.new_element, [](auto e) { return e == Stitched::kKept; }));
+  ASSERT_EQ(poor.broken.size(), 1u);
+  EXPECT_GT(poor.summary.below, 0u);
+  EXPECT_LT(poor.summary.min, kWanted);
+}
+
 TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {
   HandMade m({plate()});
   m.split_face(FaceId(std::size_t{5}));
