@@ -11,7 +11,7 @@ namespace meshgraft {
 namespace {
 
 constexpr std::size_t kSizeBlock = 64;  // edges at which the size is asked for in one go
-constexpr double kTooShort = 0.5;  // of the wanted size: a face on such an edge and as high as wanted has Q 0.67
+constexpr double kTooShort = 0.5;       // of the wanted size: a face on such an edge and as high as wanted has Q 0.67
 
 /// A side of a face of the zone, or of one beside it.
 struct Use {
