@@ -273,6 +273,7 @@ void write_merged(State& state) {
 void register_all() {
   // Below, the zones of neighbours run into each other; above, it takes minutes.
   constexpr std::int64_t kLeastForGrid = 100'000, kMostForGrid = 1'000'000;
+  constexpr std::int64_t kLeastForLong = 1'000'000;  // the stiffener is to end on the plate
   // One scene after the other, because only one is held in memory.
   for (const std::int64_t n : {10'000, 100'000, 1'000'000, 4'000'000}) {
     const auto add = [n](const std::string& name, std::function<void(State&)> body) {
@@ -297,6 +298,11 @@ void register_all() {
     add("merge_zone", [](State& state) { merge_arrays(state, scene_of(state, &constant_zone)); });
     add("peer_zone", [](State& state) { merge_with_peer(state, scene_of(state, &constant_zone), true); });
     add("peer_apart_zone", [](State& state) { merge_with_peer(state, scene_of(state, &constant_zone), false); });
+    if (n >= kLeastForLong) {
+      add("merge_long", [](State& state) { merge_arrays(state, scene_of(state, &long_zone)); });
+      add("peer_long", [](State& state) { merge_with_peer(state, scene_of(state, &long_zone), true); });
+      add("peer_apart_long", [](State& state) { merge_with_peer(state, scene_of(state, &long_zone), false); });
+    }
     if (n < kLeastForGrid || n > kMostForGrid) continue;
     add("grid", [](State& state) { merge_arrays(state, grid_of(state)); });
     add("grid_singly", merge_singly);

@@ -45,6 +45,8 @@ Scene growing_zone(std::size_t n_faces) { return plate_and_stiffener(1, 0.6, 0.1
 
 Scene constant_zone(std::size_t n_faces) { return plate_and_stiffener(cells_per_side(n_faces), 42, 7, 1); }
 
+Scene long_zone(std::size_t n_faces) { return plate_and_stiffener(cells_per_side(n_faces), 250, 7, 1); }
+
 Scene grid(std::size_t n_faces, int n) {
   const double size = 1 / cells_per_side(n_faces);
   Scene scene{plate(1, size), {}, size};

@@ -21,6 +21,9 @@ struct Scene {
 /// A plate of about `n_faces` faces; edge length and stiffener, hence the zone, are the same in every scene.
 [[nodiscard]] Scene constant_zone(std::size_t n_faces);
 
+/// The same with a stiffener of 250 edges, at which CGAL remeshes some 7,600 faces; `n_faces` of 200,000 at least.
+[[nodiscard]] Scene long_zone(std::size_t n_faces);
+
 /// A plate of about `n_faces` faces and `n` stiffeners in each of two directions; each crosses all of the other
 /// direction. They are 12 edges high whatever the size of the plate.
 [[nodiscard]] Scene grid(std::size_t n_faces, int n);

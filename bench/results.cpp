@@ -118,9 +118,11 @@ void Results::print_tables() const {
   print_program_table("_zone", "stiffener of 42 edges");
   print_program_table("", "zone growing with the model");
   print_array_table("_zone", "stiffener of 42 edges");
+  print_array_table("_long", "stiffener of 250 edges");
   print_array_table("", "zone growing with the model");
   print_grid_table();
   print_stage_table("merge", "Stages of merge in ms, zone growing with the model");
+  print_stage_table("merge_long", "Stages of merge in ms, a long zone");
   print_stage_table("merge_zone", "Stages of merge in ms, the same zone in a growing model");
 }
 

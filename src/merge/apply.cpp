@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/room.hpp"
 #include "merge/group_table.hpp"
 #include "meshgraft/merge.hpp"
 
@@ -67,9 +68,9 @@ class Assembly {
     name_groups();
     number_nodes();
     number_elements();
-    tbb::parallel_invoke([&] { add_positions(); }, [&] { add_node_labels(); }, [&] { add_node_groups(); },
-                         [&] { add_element_labels(); }, [&] { add_element_attributes(); },
-                         [&] { add_element_groups(); }, [&] { add_nodes_of_elements(); });
+    tbb::parallel_invoke([&] { add_nodes_of_elements(); }, [&] { add_positions(); }, [&] { add_element_labels(); },
+                         [&] { add_first_nodes(); }, [&] { add_element_attributes(); }, [&] { add_element_groups(); },
+                         [&] { add_node_labels(); }, [&] { add_node_groups(); });
     join_groups();
     add_orientation_nodes();
     count_members();
@@ -139,7 +140,7 @@ class Assembly {
     std::size_t n = n_new;
     for (const auto& of_input : runs)
       for (const auto [first, last] : of_input) n += last - first;
-    to.reserve(n);
+    make_room(to, n);
     for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
       const std::size_t begin = to.size();
       for (const auto [first, last] : runs[k]) append(to, inputs_[k]->*array, first, last);
@@ -195,28 +196,39 @@ class Assembly {
     for (const NewElement& e : graft_.new_elements) out_.element_groups.push_back(e.groups);
   }
 
-  void add_nodes_of_elements() {
-    std::size_t uses = 3 * graft_.new_elements.size();
-    for (const Model* model : inputs_) uses += model->nodes.size();
-    out_.first_node.reserve(first_new_element_ + graft_.new_elements.size() + 1), out_.nodes.reserve(uses);
+  void add_first_nodes() {
+    make_room(out_.first_node, first_new_element_ + graft_.new_elements.size() + 1);
     out_.first_node.push_back(0);
     for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
       const Model& model = *inputs_[k];
       for (const auto [first, last] : element_runs_[k]) {
-        const auto ahead = static_cast<std::uint32_t>(out_.nodes.size()) - model.first_node[first];  // modulo 2^32
+        const std::uint32_t ahead = out_.first_node.back() - model.first_node[first];  // modulo 2^32
         append(out_.first_node, model.first_node, first + 1, last + 1);
         for (std::uint32_t& offset : std::span(out_.first_node).last(last - first)) offset += ahead;
-        for (std::uint32_t i = model.first_node[first]; i < model.first_node[last]; ++i) {
-          const NodeId n = model.nodes[i];
-          out_.nodes.push_back(n.valid() ? node_ids_[k][n.value] : n);
-        }
       }
     }
     for (const NewElement& e : graft_.new_elements) {
+      const auto n_nodes = std::ranges::count_if(e.nodes, [](NodeRef n) { return n.valid(); });
+      out_.first_node.push_back(out_.first_node.back() + static_cast<std::uint32_t>(n_nodes));
+    }
+  }
+
+  void add_nodes_of_elements() {
+    std::size_t uses = 3 * graft_.new_elements.size();
+    for (const Model* model : inputs_) uses += model->nodes.size();
+    make_room(out_.nodes, uses);
+    for (std::uint32_t k = 0; k < inputs_.size(); ++k) {
+      const Model& model = *inputs_[k];
+      for (const auto [first, last] : element_runs_[k]) {
+        const std::size_t begin = out_.nodes.size();
+        append(out_.nodes, model.nodes, model.first_node[first], model.first_node[last]);
+        for (NodeId& n : std::span(out_.nodes).subspan(begin))
+          if (n.valid()) n = node_ids_[k][n.value];
+      }
+    }
+    for (const NewElement& e : graft_.new_elements)
       for (const NodeRef n : e.nodes)
         if (n.valid()) out_.nodes.push_back(id_of(n));
-      out_.first_node.push_back(static_cast<std::uint32_t>(out_.nodes.size()));
-    }
   }
 
   void join_groups() {
