@@ -84,8 +84,9 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
       [&] {
         if (!options.size && outcome.kind != OperationKind::kFill) fine_zones = fine_zone_warnings(outcome);
       },
-      [&] { near_misses = near_miss_warnings(outcome); }, [&] { creases = crease_warnings(outcome); },
-      [&] { quality = quality_of(outcome, bad, options.min_quality); }, [&] { summarise(outcome, report); });
+      [&] { near_misses = near_miss_warnings(outcome, options.tolerance); },
+      [&] { creases = crease_warnings(outcome); }, [&] { quality = quality_of(outcome, bad, options.min_quality); },
+      [&] { summarise(outcome, report); });
   append(report.warnings, std::move(loose_pieces));
   append(report.warnings, mended_face_warnings(outcome));
   append(report.warnings, std::move(fine_zones));

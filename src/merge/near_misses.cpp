@@ -19,8 +19,8 @@ constexpr std::size_t kPlaces = 3;  // on an edge: its ends, then its middle
 
 class NearMisses {
  public:
-  NearMisses(const Outcome& outcome, const NearMissLimits& limits)
-      : outcome_(outcome), complex_(outcome.final_complex), limits_(limits) {}
+  NearMisses(const Outcome& outcome, const Tolerance& tolerance, const NearMissLimits& limits)
+      : outcome_(outcome), complex_(outcome.final_complex), tolerance_(tolerance), limits_(limits) {}
 
   std::vector<Warning> warnings() {
     if (outcome_.kind == OperationKind::kFill) return {};
@@ -118,6 +118,13 @@ class NearMisses {
     if (farthest < miss.least) miss.least = farthest, miss.nearest = edge;
   }
 
+  /// What is within the tolerance was in reach, and joining it was given up.
+  [[nodiscard]] std::string advice(const Miss& miss) const {
+    const auto [a, b, middle] = places(miss.nearest);
+    if (miss.least > tolerance_.at(distance(a, b))) return "; a larger --tolerance may join them";
+    return "; that is within the --tolerance, which could not be used there: look at the place in both meshes";
+  }
+
   [[nodiscard]] std::vector<Warning> told() const {
     std::vector<Warning> warnings;
     for (const auto& [inputs, miss] : misses_) {
@@ -130,7 +137,7 @@ class NearMisses {
                           "the free edge of " + text_of(outcome_.inputs, parent) + " around " + text_of(at) +
                               " comes within " + text_of(miss.least) + " of " + outcome_.inputs[inputs[1]]->path +
                               " and is not joined with it" + others + (miss.n > 1 ? text_of(miss.most) + " away" : "") +
-                              "; a larger --tolerance may join them",
+                              advice(miss),
                           place_of(*outcome_.inputs[parent.input], parent.element)});
     }
     return warnings;
@@ -138,6 +145,7 @@ class NearMisses {
 
   const Outcome& outcome_;
   const Complex& complex_;
+  const Tolerance& tolerance_;
   const NearMissLimits& limits_;
   std::vector<FaceOnEdge> edges_;                        // free
   std::vector<Near> near_;                               // ascending
@@ -146,8 +154,9 @@ class NearMisses {
 
 }  // namespace
 
-std::vector<Warning> near_miss_warnings(const Outcome& outcome, const NearMissLimits& limits) {
-  return NearMisses(outcome, limits).warnings();
+std::vector<Warning> near_miss_warnings(const Outcome& outcome, const Tolerance& tolerance,
+                                        const NearMissLimits& limits) {
+  return NearMisses(outcome, tolerance, limits).warnings();
 }
 
 }  // namespace meshgraft

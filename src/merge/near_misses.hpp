@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "merge/outcome.hpp"
+#include "meshgraft/options.hpp"
 #include "meshgraft/result.hpp"
 
 namespace meshgraft {
@@ -14,9 +15,10 @@ struct NearMissLimits {
 };
 
 /// Warnings near-miss, one for each input with such edges and input that they are near to: how many edges, how far off,
-/// where the nearest is. Edges with a joined end do not count: some leave the junction at a small angle. Looked at is
-/// the workpiece, so that a part far away from all others is not among them. Cost O(n log k) for n faces and k free
-/// edges.
-[[nodiscard]] std::vector<Warning> near_miss_warnings(const Outcome& outcome, const NearMissLimits& limits = {});
+/// where the nearest is, and whether that is within the tolerance. Edges with a joined end do not count: some leave the
+/// junction at a small angle. Looked at is the workpiece, so that a part far away from all others is not among them.
+/// Cost O(n log k) for n faces and k free edges.
+[[nodiscard]] std::vector<Warning> near_miss_warnings(const Outcome& outcome, const Tolerance& tolerance,
+                                                      const NearMissLimits& limits = {});
 
 }  // namespace meshgraft

@@ -41,14 +41,27 @@ bool is_made_poor(const Outcome& outcome, FaceId f, double min_quality) {
   return q < min_quality && q < kWorse * aspect_ratio(outcome.inputs[parent.input]->corners(parent.element));
 }
 
+/// "3 new faces", "1 face that stays", "3 faces, 1 of which stays".
+std::string counted(const Outcome& outcome, const std::vector<FaceQuality>& faces) {
+  const std::size_t n = faces.size();
+  const auto stays = static_cast<std::size_t>(
+      std::ranges::count_if(faces, [&](const FaceQuality& f) { return !outcome.is_new(f.face); }));
+  const std::string number = std::to_string(n), ending = n == 1 ? "" : "s", verb = stays == 1 ? " stays" : " stay";
+  if (stays == 0) return number + " new face" + ending;
+  if (stays == n) return number + " face" + ending + " that" + verb;
+  return number + " faces, " + std::to_string(stays) + " of which" + verb + ",";
+}
+
 std::string finding(const Outcome& outcome, const std::vector<FaceQuality>& faces, const Causes& causes,
                     double min_quality) {
   const FaceQuality& worst = faces.front();
   const BadFace* bad = causes.find(worst.face);
-  std::string text = std::to_string(faces.size()) + (faces.size() == 1 ? " new face has" : " new faces have") +
-                     " Q below " + text_of(min_quality) + "; the worst, Q " + text_of(worst.q) + ", is " +
-                     outcome.text(worst.face);
-  if (bad != nullptr && !bad->cause.text.empty()) text += ": " + bad->cause.text;
+  std::string text = counted(outcome, faces) + (faces.size() == 1 ? " has" : " have") + " Q below " +
+                     text_of(min_quality) + "; the worst, Q " + text_of(worst.q) + ", is " + outcome.text(worst.face);
+  if (bad != nullptr && !bad->cause.text.empty())
+    text += ": " + bad->cause.text;
+  else if (!outcome.is_new(worst.face))
+    text += ": a node of it was moved";
   return text;
 }
 

@@ -2,6 +2,8 @@
 // on stdout, nothing written.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "program.hpp"
 
 namespace meshgraft::cli_tests {
@@ -12,6 +14,8 @@ struct Wrong {
   std::vector<std::string> arguments;
   std::vector<std::string> says;
 };
+
+std::ostream& operator<<(std::ostream& out, const Wrong& wrong) { return out << wrong.name; }
 
 std::vector<std::string> merge_with(std::vector<std::string> more) {
   std::vector<std::string> all{"merge", "base.unv", "part.unv", "-o", "out.unv"};

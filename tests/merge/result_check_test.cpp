@@ -8,6 +8,7 @@
 #include "merge/creases.hpp"
 #include "merge/fidelity.hpp"
 #include "merge/hand_made.hpp"
+#include "merge/near_misses.hpp"
 #include "merge/quality_summary.hpp"
 #include "support/scenes.hpp"
 
@@ -266,6 +267,19 @@ TEST(Coverage, GroupsThatNoNewFaceHasAreNoticed) {
   EXPECT_TRUE(says(coverage_of(m.outcome(), Tolerance{}).broken, "no new face has its groups"));
 }
 
+TEST(NearMisses, AreSaidToNeedALargerToleranceOnlyBeyondIt) {
+  constexpr double kGap = 0.1;
+  HandMade m({plate(), scenes::plate({0.5, 1.3, kGap}, {3, 0, 0}, {0, 0, 2}, 1, "STIFFENER")});
+  m.stitch_now();
+  const auto told = [&](double tolerance) {
+    const auto warnings = near_miss_warnings(m.outcome(), {tolerance, false});
+    EXPECT_EQ(warnings.size(), 1u);
+    return warnings.empty() ? std::string() : warnings.front().what;
+  };
+  EXPECT_NE(told(0.9 * kGap).find("a larger --tolerance may join them"), std::string::npos);
+  EXPECT_NE(told(1.1 * kGap).find("within the --tolerance"), std::string::npos);
+}
+
 TEST(Quality, FacesThatAreKeptCountWhereAMovedNodeHasMadeThemPoor) {
   constexpr double kWanted = 0.5;
   HandMade m({plate()});
@@ -283,6 +297,8 @@ TEST(Quality, FacesThatAreKeptCountWhereAMovedNodeHasMadeThemPoor) {
   ASSERT_EQ(poor.broken.size(), 1u);
   EXPECT_GT(poor.summary.below, 0u);
   EXPECT_LT(poor.summary.min, kWanted);
+  EXPECT_TRUE(says(poor.broken, "that stay"));
+  EXPECT_TRUE(says(poor.broken, "a node of it was moved"));
 }
 
 TEST(Quality, PoorFacesBreakThePromiseUnlessAnInputAngleIsTheCause) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <ostream>
 
 #include "geometry/quality.hpp"
 #include "patch/power_solver.hpp"
@@ -116,6 +117,8 @@ struct Case {
   const char* name;
   Shape (*shape)();
 };
+
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 class Deform : public testing::TestWithParam<Case> {};
 

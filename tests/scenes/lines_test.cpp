@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <span>
 #include <tuple>
 
@@ -18,6 +19,8 @@ constexpr double kSize = 0.1, kBeside = 1e-3 * kSize;
 constexpr double kRounding = 1e-9;
 
 enum class Line { kBorder, kBeams };
+
+std::ostream& operator<<(std::ostream& out, Line line) { return out << (line == Line::kBorder ? "border" : "beams"); }
 
 /// A square of side 2, with a line at y = 1.
 Model wall(Line line) {
