@@ -124,7 +124,10 @@ tl::expected<RemeshedZone, JunctionFault> remesh_zone(const Complex& original, c
         brep = read_brep(complex, corefined.junction_edges, corefined.junction_points, groups, brep_options);
         field.emplace(original, complex, brep, size_options);
       },
-      [&] { inputs.emplace(corefined); });
+      [&] {
+        inputs.emplace(corefined);
+        inputs->find_spoiled(original, options.min_quality);
+      });
   const SizeField& size = *field;
   const bool alike = size_ratio(original, corefined) < limits.alike;
   const double wanted = alike ? limits.mean_alike : limits.mean_graded;

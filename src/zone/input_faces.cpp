@@ -10,7 +10,8 @@
 namespace meshgraft {
 namespace {
 
-constexpr int kReleased = 3;  // neighbourhoods, the cut face itself counted: as many as are remeshed elsewhere
+constexpr int kReleased = 3;       // neighbourhoods, the cut face itself counted: as many as are remeshed elsewhere
+constexpr double kSpoiled = 0.99;  // of its Q that a face has kept, at most; rounding takes less
 
 }  // namespace
 
@@ -21,7 +22,8 @@ InputFaces::InputFaces(const Corefined& corefined)
       touched_(parents_.size(), 0),
       frozen_(parents_.size(), 0),
       kept_(parents_.size(), 0),
-      has_lost_(parents_.size(), 0) {
+      has_lost_(parents_.size(), 0),
+      spoiled_(parents_.size(), 0) {
   for (std::uint32_t i = 0; i < size(); ++i)
     has_lost_[i] = std::ranges::binary_search(corefined.covered, complex_.parent[pieces(i).front().value], {},
                                               &Corefined::Covered::face);
@@ -42,6 +44,20 @@ InputFaces::InputFaces(const Corefined& corefined)
   for (std::uint32_t i = 0; i < size(); ++i)
     if (kept_[i] && !is_whole(i)) cut.push_back(i);
   release_around(std::move(cut));
+}
+
+void InputFaces::find_spoiled(const Complex& original, double min_quality) {
+  std::vector<std::pair<ElementRef, std::uint32_t>> poor;
+  const auto q_of = [&](std::uint32_t i) { return aspect_ratio(complex_.corners(pieces(i).front())); };
+  for (std::uint32_t i = 0; i < size(); ++i)
+    if (is_whole(i) && q_of(i) < min_quality) poor.emplace_back(complex_.parent[pieces(i).front().value], i);
+  if (poor.empty()) return;
+  std::ranges::sort(poor);
+  for (std::size_t f = 0; f < original.n_faces(); ++f) {
+    const auto it = std::ranges::lower_bound(poor, original.parent[f], {}, &decltype(poor)::value_type::first);
+    if (it == poor.end() || it->first != original.parent[f]) continue;
+    if (q_of(it->second) < kSpoiled * aspect_ratio(original.corners(FaceId(f)))) spoiled_[it->second] = 1;
+  }
 }
 
 std::vector<std::uint32_t> InputFaces::release(std::span<const NodeRef> nodes) {

@@ -24,6 +24,8 @@ class InputFaces {
   [[nodiscard]] bool touched(std::uint32_t i) const { return touched_[i] != 0; }
   /// Neither cut nor in part taken out.
   [[nodiscard]] bool is_whole(std::uint32_t i) const { return pieces(i).size() == 1 && !has_lost(i); }
+  /// Whole, and made poor by nodes that were moved; see find_spoiled().
+  [[nodiscard]] bool is_spoiled(std::uint32_t i) const { return spoiled_[i] != 0; }
   /// A part of it is taken out: what is left may be much smaller than it was.
   [[nodiscard]] bool has_lost(std::uint32_t i) const { return has_lost_[i] != 0; }
   /// May not be remeshed: a vertex of it is kFrozen, or it lies on the vertices of another one.
@@ -31,6 +33,8 @@ class InputFaces {
   /// It lies in an area of contact that stays as it is: not cut, and not in the neighbourhoods of a face there that
   /// had to be cut or was released.
   [[nodiscard]] bool kept(std::uint32_t i) const { return kept_[i] != 0; }
+  /// Tells which whole faces have a Q below the given one, and below what they have in the complex as it was.
+  void find_spoiled(const Complex& original, double min_quality);
   /// Those at the vertices of nodes (ascending) are not kept any longer, nor are their neighbourhoods. Returns these.
   std::vector<std::uint32_t> release(std::span<const NodeRef> nodes);
   [[nodiscard]] double mean_edge_length(std::uint32_t i) const { return mean_edge_length_[i]; }
@@ -69,7 +73,7 @@ class InputFaces {
   const Complex& complex_;
   Parents parents_;
   VertexFaces faces_at_;
-  std::vector<std::uint8_t> touched_, frozen_, kept_, has_lost_;
+  std::vector<std::uint8_t> touched_, frozen_, kept_, has_lost_, spoiled_;
   std::vector<double> mean_edge_length_;
 };
 

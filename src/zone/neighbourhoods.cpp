@@ -153,10 +153,11 @@ Zone neighbourhoods(const Corefined& corefined, const InputFaces& inputs, const 
   zone.bandwidth.assign(n_components(corefined), 0);
   std::vector<int> left(inputs.size(), 0);  // by input face: neighbourhoods to take, itself counted
   for_each(inputs, [&](std::uint32_t i) {
-    if (!inputs.touched(i)) return;
+    if (!inputs.touched(i) && !inputs.is_spoiled(i)) return;
     if (bandwidth)
       left[i] = *bandwidth;
-    else if (const int room = transition(inputs, i, size); !inputs.is_whole(i) || room > kSettled)
+    else if (const int room = transition(inputs, i, size);
+             !inputs.is_whole(i) || inputs.is_spoiled(i) || room > kSettled)
       left[i] = std::max(least[inputs.component(i)], room) + more;
   });
   for (std::uint32_t i = 0; i < inputs.size(); ++i) {

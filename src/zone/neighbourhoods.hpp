@@ -31,8 +31,9 @@ struct Zone {
 ///   per length, fits in, plus one (beyond the paper);
 ///   and `more` of them, but nothing farther than 5.5 edge lengths from the junction (N, if that is more; the faces'
 ///   own lengths, or those of the junction if they are longer).
-///   Touched faces that were not cut count only if they are of the wrong size: where meshes share
-///   their nodes already nothing needs to change (departs from 5.4, which starts from all that meet).
+///   Touched faces that were not cut count only if they are of the wrong size, or spoiled by nodes that were moved:
+///   where meshes share their nodes already nothing needs to change (departs from 5.4, which starts from all that
+///   meet).
 ///
 /// Neighbourhoods are of input faces: a face is taken with all pieces that corefinement made of it,
 /// and never if one of them has a kFrozen vertex or lies on the vertices of another face.

@@ -86,6 +86,28 @@ TEST(Neighbourhoods, MeshesThatShareTheirNodesAreLeftAlone) {
   EXPECT_EQ(std::ranges::count(zone.in_zone, 1), 0);
 }
 
+TEST(Neighbourhoods, FacesThatMovedNodesHaveSpoiledAreNotLeftAlone) {
+  constexpr double kWanted = 0.5;
+  Scene s = two_plates();
+  const VertexId v = test::vertex_at(s.corefined.complex, {5, 10, 1});
+  const auto zone = [&] {
+    InputFaces inputs(s.corefined);
+    inputs.find_spoiled(s.original, kWanted);
+    return neighbourhoods(s.corefined, inputs, s.size, std::nullopt).in_zone;
+  };
+  s.corefined.complex.position[v.value].x += 0.2;
+  EXPECT_EQ(std::ranges::count(zone(), 1), 0);
+  s.corefined.complex.position[v.value].x += 0.5;
+  const auto in_zone = zone();
+  for (std::size_t f = 0; f < in_zone.size(); ++f)
+    if (aspect_ratio(s.corefined.complex.corners(FaceId(f))) < kWanted) {
+      EXPECT_TRUE(in_zone[f]);
+    }
+  EXPECT_GT(std::ranges::count(in_zone, 1), 0);
+  s.original = s.corefined.complex;  // as poor in the input
+  EXPECT_EQ(std::ranges::count(zone(), 1), 0);
+}
+
 TEST(Neighbourhoods, LongFacesAreNoReasonToReachFar) {
   // Faces three times as long across the junction as along it.
   Model ground = scenes::plate({0, 0, 0}, {20, 0, 0}, {0, 20, 0}, 1);
