@@ -24,9 +24,11 @@ class EndingSearch {
     for (const FacePair& p : m_.pairs) {
       const Plane plane(m_, s_, p, within_);
       for (const LocalEdge e : side_.edges(p[s_]))
-        if (edge[e] == 0 && side_.is_line_edge(e) && runs_along(e, plane))
-          edge[e] = is_beside(e, plane) || is_in_plane(e, plane, p[1 - s_]) ? 1 : 0;
+        if (edge[e] == 0 && side_.is_line_edge(e) && runs_along(e, plane) &&
+            (is_beside(e, plane) || is_in_plane(e, plane, p[1 - s_])))
+          edge[e] = 1, ending_.push_back({e, plane.normal});
     }
+    for (const LocalEdge e : leaving()) edge[e] = 0;
     for (LocalFace f = 0; f < side_.n_faces(); ++f)
       for (const VertexId v : side_.corners(f))
         if (side_.is_corner(v)) vertex[v.value] = 1;
@@ -54,6 +56,34 @@ class EndingSearch {
     const Plane plane(m_, s_, p, within_);
     for (const VertexId v : side_.corners(p[s_]))
       if (side_.is_line(v) && plane.is_near(m_.at(v))) near_[v.value] = 1;
+  }
+
+  /// An edge that may end on a face with this normal.
+  struct Ending {
+    LocalEdge edge;
+    Vec3 normal;
+  };
+
+  /// Of edges at an acute corner that run along one surface, those that are steeper than another.
+  [[nodiscard]] std::vector<LocalEdge> leaving() const {
+    std::vector<std::pair<VertexId, std::uint32_t>> at;  // position in ending_
+    for (std::uint32_t i = 0; i < ending_.size(); ++i)
+      for (const VertexId v : side_.ends(ending_[i].edge)) at.emplace_back(v, i);
+    std::ranges::sort(at);
+    std::vector<LocalEdge> result;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = i + 1; j < at.size() && at[j].first == at[i].first; ++j)
+        for (const auto& [e, f] : {std::pair{at[i].second, at[j].second}, std::pair{at[j].second, at[i].second}})
+          if (leaves(at[i].first, ending_[e], ending_[f])) result.push_back(ending_[e].edge);
+    return result;
+  }
+
+  [[nodiscard]] bool leaves(VertexId v, const Ending& e, const Ending& beside) const {
+    const auto way = [&](const Ending& of) {
+      const auto& [a, b] = side_.ends(of.edge);
+      return normalized(m_.at(a == v ? b : a) - m_.at(v));
+    };
+    return leaves_at_corner({way(e), way(beside)}, {e.normal, beside.normal});
   }
 
   /// An edge that goes through the face is short if both its ends are near, but ends nowhere there.
@@ -89,6 +119,7 @@ class EndingSearch {
   std::size_t s_;
   const Side &side_, &other_;
   double Snap::*within_;
+  std::vector<Ending> ending_;
   std::vector<std::uint8_t> near_;  // by vertex
 };
 

@@ -6,119 +6,19 @@
 #include <optional>
 
 #include "core/distinct.hpp"
-#include "geometry/box_tree.hpp"
-#include "geometry/closest.hpp"
+#include "intersect/free_ends.hpp"
+#include "intersect/landing_surface.hpp"
 
 namespace meshgraft {
 namespace {
 
 constexpr double kOneEnd = 0.85;       // cosine to their mean, from which directions across free edges are of one end
-constexpr double kLeastSine = 0.1;     // of the angle between a way and the surface it ends on
+constexpr double kStays = 0.3;         // cosine to the way across from which an end goes along an edge that stays
 constexpr double kInPlane = 0.5;       // sine of the angle by which a way may leave the tangent plane
 constexpr double kLeastHeight = 0.05;  // of a face, over what it was
 constexpr double kAcross = 0.95;       // cosine to the normal from which the way to a surface is no way past its border
 constexpr double kStraight = 1e-3;     // sine of a turn in a line that nobody sees
 constexpr double kWithIt = 0.9;        // over the way back of an end that stays, from which those beside it stay too
-
-/// The surface that free edges end on.
-class Surface {
- public:
-  Surface(const Complex& complex, std::span<const FaceId> faces) : complex_(complex), faces_(faces) {
-    std::vector<Box> boxes(faces.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      for (const Vec3 p : complex.corners(faces[i])) boxes[i].add(p);
-    tree_ = BoxTree(boxes);
-  }
-
-  struct Foot {
-    FaceId face;  // invalid: none is within the limit
-    Vec3 point;
-  };
-  /// `counts`: of a face, by its normal.
-  template <class F>
-  [[nodiscard]] Foot nearest(Vec3 p, double limit, F&& counts) const {
-    const auto squared_distance = [&](std::uint32_t i) {
-      const Triangle t = complex_.corners(faces_[i]);
-      if (!counts(unit_normal(t))) return std::numeric_limits<double>::infinity();
-      return squared_norm(p - closest_on_triangle(p, t).point);
-    };
-    const auto found = tree_.nearest(p, squared_distance, limit * limit);
-    if (!found.found()) return {};
-    const FaceId f = faces_[found.item];
-    return {f, closest_on_triangle(p, complex_.corners(f)).point};
-  }
-
-  struct Hit {
-    double way = 0;  // signed
-    Vec3 point, normal;
-  };
-  /// The nearest place, within `reach` either way, where the line through p along the unit vector u goes
-  /// through the surface.
-  [[nodiscard]] std::optional<Hit> along(Vec3 p, Vec3 u, double reach, double slack) const {
-    std::optional<Hit> best;
-    Box way;
-    way.add(p - reach * u), way.add(p + reach * u);
-    tree_.overlapping(way.grown(slack), [&](std::uint32_t i) {
-      const Triangle t = complex_.corners(faces_[i]);
-      const Vec3 n = unit_normal(t);
-      const double sine = dot(n, u);
-      if (std::abs(sine) < kLeastSine) return;
-      const double s = dot(n, t[0] - p) / sine;
-      if (std::abs(s) > reach || (best && std::abs(s) >= std::abs(best->way))) return;
-      const Vec3 at = closest_on_triangle(p + s * u, t).point;
-      if (distance(at, p + s * u) <= slack) best = Hit{s, at, n};
-    });
-    return best;
-  }
-
- private:
-  const Complex& complex_;
-  std::span<const FaceId> faces_;
-  BoxTree tree_;
-};
-
-/// A free edge as seen from one of its ends.
-struct End {
-  VertexId other;
-  FaceId face;
-  Vec3 across;  // unit, in the face, away from it
-};
-
-using EndsAt = std::map<VertexId, std::vector<End>>;
-
-EndsAt free_ends(const Complex& complex, std::span<const FaceId> own, std::span<const std::uint8_t> owns) {
-  struct Use {
-    std::array<VertexId, 2> edge;
-    FaceId face;
-    bool is_own = false;
-  };
-  std::vector<std::uint8_t> is_own(complex.n_faces()), near(complex.n_vertices());
-  for (const FaceId f : own) {
-    is_own[f.value] = 1;
-    for (const VertexId v : complex.face[f.value]) near[v.value] = 1;
-  }
-  std::vector<Use> uses;
-  for (std::size_t f = 0; f < complex.n_faces(); ++f)
-    for (std::size_t k = 0; owns[f] != 0 && k < 3; ++k) {
-      const auto [a, b] = std::minmax(complex.face[f][k], complex.face[f][(k + 1) % 3]);
-      if (near[a.value] != 0 && near[b.value] != 0) uses.push_back({{a, b}, FaceId(f), is_own[f] != 0});
-    }
-  std::ranges::stable_sort(uses, {}, &Use::edge);
-  EndsAt ends;
-  for (std::size_t i = 0; i < uses.size(); ++i) {
-    const bool alone =
-        (i == 0 || uses[i - 1].edge != uses[i].edge) && (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
-    if (!alone || !uses[i].is_own) continue;
-    const auto [a, b] = uses[i].edge;
-    const Triangle t = complex.corners(uses[i].face);
-    const Vec3 along = normalized(complex.position[b.value] - complex.position[a.value]);
-    const Vec3 inside = centroid(t) - complex.position[a.value];
-    const Vec3 across = normalized(dot(inside, along) * along - inside);
-    ends[a].push_back({b, uses[i].face, across});
-    ends[b].push_back({a, uses[i].face, across});
-  }
-  return ends;
-}
 
 class Extender {
  public:
@@ -168,7 +68,7 @@ class Extender {
 
   [[nodiscard]] Vec3 at(VertexId v) const { return complex_.position[v.value]; }
   /// The nearest place of the surface that free edges at v may end on.
-  [[nodiscard]] Surface::Foot nearest(VertexId v, Vec3 p, double limit) const {
+  [[nodiscard]] LandingSurface::Foot nearest(VertexId v, Vec3 p, double limit) const {
     return surface_.nearest(p, limit, [&](Vec3 normal) {
       return rule_.least_angle <= 0 || std::ranges::all_of(ends_.at(v), [&](const End& e) {
                return std::abs(dot(normal, unit_normal(complex_.corners(e.face)))) < std::cos(rule_.least_angle);
@@ -177,7 +77,7 @@ class Extender {
   }
   /// The face that an end goes to; that across its gap where it goes past the border of the surface.
   [[nodiscard]] FaceId face_at(Vec3 to, const Gap& gap) const {
-    const Surface::Foot foot = surface_.nearest(to, gap.weld, [](Vec3) { return true; });
+    const LandingSurface::Foot foot = surface_.nearest(to, gap.weld, [](Vec3) { return true; });
     return foot.face.valid() ? foot.face : gap.face;
   }
   [[nodiscard]] bool is_exact(FaceId f) const { return !exact_.empty() && exact_[f.value] != 0; }
@@ -188,7 +88,7 @@ class Extender {
       if (is_exact(e.face)) return;
       finest = std::min(finest, size_[e.face.value]);
     }
-    const Surface::Foot foot = nearest(v, at(v), rule_.tolerance.at(finest));
+    const LandingSurface::Foot foot = nearest(v, at(v), rule_.tolerance.at(finest));
     if (!foot.face.valid() || is_exact(foot.face)) return;
     const double size = std::min(finest, size_[foot.face.value]);
     const Vec3 across = foot.point - at(v);
@@ -208,7 +108,7 @@ class Extender {
     for (const auto& [v, gap] : gaps_)
       for (const End& e : ends_.at(v)) {
         if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
-        const Surface::Foot foot = nearest(e.other, at(e.other), gap.tolerance + distance(at(e.other), at(v)));
+        const LandingSurface::Foot foot = nearest(e.other, at(e.other), gap.tolerance + distance(at(e.other), at(v)));
         if (!foot.face.valid() || is_exact(foot.face)) continue;
         const Vec3 n = unit_normal(complex_.corners(foot.face)), way = foot.point - at(e.other);
         const double height = dot(n, way);
@@ -228,7 +128,19 @@ class Extender {
   [[nodiscard]] bool is_ending(VertexId v, const Gap& gap, const End& edge) const {
     const auto far = gaps_.find(edge.other);
     if (far == gaps_.end()) return false;
-    return (gap.is_open && runs_along(edge, v, gap)) || (far->second.is_open && runs_along(edge, v, far->second));
+    if (!(gap.is_open && runs_along(edge, v, gap)) && !(far->second.is_open && runs_along(edge, v, far->second)))
+      return false;
+    return !leaves(v, edge, far->second.normal) && !leaves(edge.other, {v, edge.face, edge.across}, gap.normal);
+  }
+
+  /// Whether the edge is the one of an acute corner at v that leaves a wall along which the other edge runs. `normal`:
+  /// of what is nearest to its other end.
+  [[nodiscard]] bool leaves(VertexId v, const End& edge, Vec3 normal) const {
+    const auto way = [&](const End& e) { return normalized(at(e.other) - at(v)); };
+    return std::ranges::any_of(ends_.at(v), [&](const End& e) {
+      const auto beside = gaps_.find(e.other);
+      return beside != gaps_.end() && leaves_at_corner({way(edge), way(e)}, {normal, beside->second.normal});
+    });
   }
 
   [[nodiscard]] std::optional<Vec3> target(VertexId v, const Gap& gap) const {
@@ -266,7 +178,7 @@ class Extender {
       if (over == ends.end() || !std::ranges::all_of(ends, of_one_end)) continue;
       const Vec3 u = way_of(v, gap, over->across);
       const double sine = dot(gap.normal, u);
-      if (std::abs(sine) < kLeastSine) continue;
+      if (std::abs(sine) < LandingSurface::kLeastSine) continue;
       const double way = dot(gap.normal, gap.across) / sine;
       if (std::abs(way) <= rule_.longest_way * gap.tolerance) past.emplace(v, at(v) + way * u);
     }
@@ -277,11 +189,11 @@ class Extender {
   [[nodiscard]] Vec3 way_of(VertexId v, const Gap& gap, Vec3 across) const {
     Vec3 way = across;
     for (const End& e : ends_.at(v))
-      if (const Vec3 u = normalized(at(v) - at(e.other)); !is_ending(v, gap, e) && dot(u, across) >= kAlong) way = u;
+      if (const Vec3 u = normalized(at(v) - at(e.other)); !is_ending(v, gap, e) && dot(u, across) >= kStays) way = u;
     return way;
   }
 
-  [[nodiscard]] std::optional<Surface::Hit> hit_along(VertexId v, const Gap& gap, Vec3 u) const {
+  [[nodiscard]] std::optional<LandingSurface::Hit> hit_along(VertexId v, const Gap& gap, Vec3 u) const {
     return surface_.along(at(v), u, rule_.longest_way * gap.tolerance, gap.weld);
   }
 
@@ -293,28 +205,29 @@ class Extender {
     const double uu = dot(on_u->normal, u), uw = dot(on_u->normal, w);
     const double wu = dot(on_w->normal, u), ww = dot(on_w->normal, w);
     const double det = uu * ww - uw * wu;
-    if (std::abs(det) < kLeastSine * kLeastSine) return std::nullopt;
+    if (std::abs(det) < LandingSurface::kLeastSine * LandingSurface::kLeastSine) return std::nullopt;
     const double p = uu * on_u->way, q = ww * on_w->way;
     const Vec3 to = at(v) + ((p * ww - q * uw) / det) * u + ((q * uu - p * wu) / det) * w;
-    const Surface::Foot foot = nearest(v, to, gap.tolerance);
+    const LandingSurface::Foot foot = nearest(v, to, gap.tolerance);
     if (!foot.face.valid() || distance(foot.point, at(v)) > rule_.longest_way * gap.tolerance) return std::nullopt;
     return foot.point;
   }
 
   /// What the way u of a corner meets, on which its other edge ends: the surface, or where that is short itself and the
   /// way goes past it, the plane that the far end of that edge goes to.
-  [[nodiscard]] std::optional<Surface::Hit> end_of_corner(VertexId v, const Gap& gap, Vec3 u, const End& ending) const {
+  [[nodiscard]] std::optional<LandingSurface::Hit> end_of_corner(VertexId v, const Gap& gap, Vec3 u,
+                                                                 const End& ending) const {
     if (auto hit = hit_along(v, gap, u)) return hit;
     const Gap& far = gaps_.at(ending.other);
     const double sine = dot(far.normal, u);
-    if (std::abs(sine) < kLeastSine) return std::nullopt;
+    if (std::abs(sine) < LandingSurface::kLeastSine) return std::nullopt;
     const double way = dot(far.normal, at(ending.other) + far.across - at(v)) / sine;
     const Vec3 to = at(v) + way * u;
     const auto faces_alike = [&](Vec3 normal) { return std::abs(dot(normal, far.normal)) >= kOneEnd; };
     if (std::abs(way) > rule_.longest_way * gap.tolerance ||
         !surface_.nearest(to, gap.tolerance, faces_alike).face.valid())
       return std::nullopt;
-    return Surface::Hit{way, to, far.normal};
+    return LandingSurface::Hit{way, to, far.normal};
   }
 
   [[nodiscard]] std::optional<Vec3> nearest_in_plane(VertexId v, const Gap& gap, const std::vector<const End*>& ending,
@@ -346,14 +259,24 @@ class Extender {
     for (const auto& [v, gap] : gaps_)
       for (const End& e : ends_.at(v)) {
         if (!gap.is_open || gaps_.contains(e.other) || is_exact(e.face) || !runs_along(e, v, gap)) continue;
-        const Surface::Foot foot = nearest(e.other, at(e.other), norm(gap.across) + distance(at(e.other), at(v)));
+        const LandingSurface::Foot foot =
+            nearest(e.other, at(e.other), norm(gap.across) + distance(at(e.other), at(v)));
         if (!foot.face.valid()) continue;
-        const Vec3 way = foot.point - at(e.other);
-        if (std::abs(dot(unit_normal(complex_.corners(foot.face)), way)) >= kAcross * norm(way))
+        const Vec3 way = foot.point - at(e.other), normal = unit_normal(complex_.corners(foot.face));
+        if (std::abs(dot(normal, way)) >= kAcross * norm(way) && !goes_on_from_leaving(v, e, normal))
           found.insert({e.other, {complex_.parent[e.face.value], at(e.other), norm(way)}}), all.last.push_back(v);
       }
     make_distinct(all.last);
     for (const auto& [v, place] : found) all.half_reached.push_back(place);
+  }
+
+  /// Whether an edge at v leaves the surface, or goes on from one that does.
+  [[nodiscard]] bool goes_on_from_leaving(VertexId v, const End& edge, Vec3 normal) const {
+    const Gap& gap = gaps_.at(v);
+    const auto in_reach = [&](const End& e) { return gaps_.contains(e.other); };
+    const std::vector<End>& ends = ends_.at(v);
+    return leaves(v, edge, normal) || (std::ranges::any_of(ends, in_reach) &&
+                                       std::ranges::none_of(ends, [&](const End& e) { return is_ending(v, gap, e); }));
   }
 
   bool take_back_bad_ones() {
@@ -402,7 +325,7 @@ class Extender {
   std::span<const double> size_;
   std::span<const std::uint8_t> exact_;
   const ExtendRule& rule_;
-  Surface surface_;
+  LandingSurface surface_;
   EndsAt ends_;
   std::vector<std::uint8_t> held_;  // by vertex: it stays
   std::map<VertexId, Gap> gaps_;    // of ends within the tolerance

@@ -43,10 +43,12 @@ struct ExtendRule {
 /// Extensions of the free edges of `own`, faces of one component, to the surface of `other`.
 ///
 ///  (1) An edge is extended if both its ends are within the tolerance of the other surface and it runs
-///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not. The edge beside it, with
-///      one end in reach, leaves the surface from there, or is extended straight on where the surface ends beneath it.
+///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not, nor does the
+///      steeper edge of an acute corner, as the slope of a gusset. The edge beside it, with one end in reach, leaves the
+///      surface from there, or is extended straight on where the surface ends beneath it.
 ///  (2) A vertex goes along the tangent plane of its faces, across its free edge; at a corner along the other
-///      free edge, so that this stays straight; where both edges end, to where their ways meet.
+///      free edge, so that this stays straight (but not where it is within 17 degrees of the surface); where both
+///      edges end, to where their ways meet.
 ///  (3) Where that way meets nothing, as between plates side by side, it goes to the nearest point of the
 ///      other surface, if that lies in its tangent plane.
 ///  (4) No face of `own` turns over or loses most of its height: such vertices stay.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -34,6 +35,15 @@ inline constexpr std::array<std::size_t, 2> kSides{0, 1};
 
 /// Cosine of an edge to the normal of a surface, up to which it runs along that; steeper ones end there or go through.
 inline constexpr double kAlong = 0.5;
+
+/// Of two edges that run along a surface from an acute corner, `ways` (unit) and its normals there: whether the first
+/// is the one that leaves it, as the slope of a gusset leaves the wall that its upright edge ends on.
+[[nodiscard]] inline bool leaves_at_corner(const std::array<Vec3, 2>& way, const std::array<Vec3, 2>& normal) {
+  constexpr double kOneWall = 0.85;  // cosine
+  constexpr double kSteeper = 0.1;   // sine to the surface, more than that of the other
+  return dot(way[0], way[1]) > 0 && std::abs(dot(normal[0], normal[1])) >= kOneWall &&
+         std::abs(dot(way[0], normal[0])) > std::abs(dot(way[1], normal[1])) + kSteeper;
+}
 
 /// A face of each side.
 using FacePair = std::array<LocalFace, 2>;
