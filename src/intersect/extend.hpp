@@ -44,8 +44,8 @@ struct ExtendRule {
 ///
 ///  (1) An edge is extended if both its ends are within the tolerance of the other surface and it runs
 ///      along that (60 to 90 degrees to its normal): it ends there. What passes it does not, nor does the
-///      steeper edge of an acute corner, as the slope of a gusset. The edge beside it, with one end in reach, leaves the
-///      surface from there, or is extended straight on where the surface ends beneath it.
+///      steeper edge of an acute corner, as the slope of a gusset. The edge beside it, with one end in reach, leaves
+///      the surface from there, or is extended straight on where the surface ends beneath it.
 ///  (2) A vertex goes along the tangent plane of its faces, across its free edge; at a corner along the other
 ///      free edge, so that this stays straight (but not where it is within 17 degrees of the surface); where both
 ///      edges end, to where their ways meet.
