@@ -48,7 +48,7 @@ class Corefiner {
         assembly_(complex, size_) {}
 
   tl::expected<Corefined, JunctionFault> run() {
-    if (auto fault = find_thin_parts(options_)) return tl::unexpected(std::move(*fault));
+    if (auto fault = find_thin_parts(near_, options_)) return tl::unexpected(std::move(*fault));
     if (options_.ends_on_borders) draw_rims();
     std::vector<std::uint32_t> order(rank_.size());
     for (std::uint32_t component = 0; component < order.size(); ++component) order[rank_[component]] = component;
@@ -76,11 +76,12 @@ class Corefiner {
     near_ = near_faces(complex_, size_, snap, rank_);
   }
 
-  [[nodiscard]] std::optional<JunctionFault> find_thin_parts(const CorefineOptions& options) const {
-    std::vector<std::vector<FaceId>> near(near_.size());  // by component: its faces near others
-    for (std::size_t c = 0; c < near_.size(); ++c) {
-      near[c].insert(near[c].end(), near_[c].own.begin(), near_[c].own.end());
-      for (const FaceId f : near_[c].earlier) near[complex_.component[f.value]].push_back(f);
+  [[nodiscard]] std::optional<JunctionFault> find_thin_parts(std::span<const NearFaces> found,
+                                                             const CorefineOptions& options) const {
+    std::vector<std::vector<FaceId>> near(found.size());  // by component: its faces near others
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      near[c].insert(near[c].end(), found[c].own.begin(), found[c].own.end());
+      for (const FaceId f : found[c].earlier) near[complex_.component[f.value]].push_back(f);
     }
     const SnapRule snap(largest_, options, true);
     std::vector<std::optional<JunctionFault>> fault(near.size());
@@ -134,7 +135,8 @@ class Corefiner {
     if (!laying) return std::nullopt;
     CorefineOptions advised = options_;
     advised.tolerance = {laying->tolerance, false}, advised.contact_angle = laying->contact_angle;
-    const auto thin = find_thin_parts(advised);
+    // A larger tolerance brings more faces near each other.
+    const auto thin = find_thin_parts(near_faces(complex_, size_, SnapRule(largest_, advised, true), rank_), advised);
     if (!thin) return std::move(laying->text);
     return "no --tolerance lays these faces on each other: it would be " + text_of(laying->tolerance) +
            ", and weld two sides of one mesh at " + text_of(thin->at) + "; mend the mesh there, or move the part";

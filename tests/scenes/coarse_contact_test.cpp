@@ -266,5 +266,17 @@ TEST(CoarseContact, ARefusalNamesNoOptionsThatWouldWeldTwoSidesOfOneMesh) {
   EXPECT_NE(refused.error().hint.find("weld two sides of one mesh"), std::string::npos) << to_string(refused.error());
 }
 
+/// The two sides are near the plate only with the tolerance that would be named.
+TEST(CoarseContact, NorTwoSidesThatOnlyTheseOptionsBringNear) {
+  const std::array<Model, 3> pieces{wall({-4, 4.5, 13, 21.5, 30}, "BOLT"),
+                                    scenes::plate({6, -4, 12.4}, {3, 0, 0}, {0, 8, 0}, 2),
+                                    scenes::plate({6, -4, 12.8}, {3, 0, 0}, {0, 8, 0}, 2)};
+  const Model base = drilled_plate(), part = scenes::together(pieces);
+  const auto refused = merge(base, std::span(&part, 1));
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().hint.find("lay them on each other"), std::string::npos) << to_string(refused.error());
+  EXPECT_NE(refused.error().hint.find("weld two sides of one mesh"), std::string::npos) << to_string(refused.error());
+}
+
 }  // namespace
 }  // namespace meshgraft
