@@ -73,14 +73,14 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   QualityVerdict quality;
   FidelityVerdict fidelity;
   CoverageVerdict coverage;
-  std::vector<Warning> loose_pieces, fine_zones, loose_ends, near_misses, creases;
+  std::vector<Warning> loose_pieces, fine_zones, loose_ends, near_misses, creases, flat_faces;
   Tolerance drawn = options.tolerance;
   drawn.value *= static_cast<double>(gaps_in_a_row(outcome.corefined));
   tbb::parallel_invoke(
       [&] { result = check_result(outcome, translated, options.tolerance); },
       [&] { fidelity = fidelity_of(outcome, drawn); }, [&] { coverage = coverage_of(outcome, options.tolerance); },
       [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
-      [&] { loose_pieces = loose_piece_warnings(outcome); },
+      [&] { loose_pieces = loose_piece_warnings(outcome); }, [&] { flat_faces = flat_face_warnings(outcome); },
       [&] {
         if (!options.size && outcome.kind != OperationKind::kFill) fine_zones = fine_zone_warnings(outcome);
       },
@@ -89,6 +89,7 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
       [&] { summarise(outcome, report); });
   append(report.warnings, std::move(loose_pieces));
   append(report.warnings, mended_face_warnings(outcome));
+  append(report.warnings, std::move(flat_faces));
   append(report.warnings, std::move(fine_zones));
   append(report.broken_promises, std::move(result.broken));
   append(report.warnings, std::move(result.warnings));

@@ -1,4 +1,4 @@
-// Triangles without area that are no longer there because they were in the zone.
+// Triangles without area: those that are no longer there because they were in the zone, and those that are still there.
 #pragma once
 
 #include <vector>
@@ -10,5 +10,8 @@ namespace meshgraft {
 
 /// The warning mended-face for each input that had some: how many, and the first. Cost linear in the elements removed.
 [[nodiscard]] std::vector<Warning> mended_face_warnings(const Outcome& outcome);
+
+/// The warning flat-face for each input that still has some: how many, and the first. Cost linear in the elements.
+[[nodiscard]] std::vector<Warning> flat_face_warnings(const Outcome& outcome);
 
 }  // namespace meshgraft

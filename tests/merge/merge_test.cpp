@@ -121,6 +121,20 @@ TEST(Merge, AFaceWithoutAreaThatCannotBeRemeshedIsNamed) {
   EXPECT_GE(n_told, 1);
 }
 
+/// No program computes with it, so that its being there is no secret.
+TEST(Merge, AFaceWithoutAreaBesideTheZoneStaysAndIsTold) {
+  const Model part = stiffener(0.43, 1.57, 0.97, 0.3, 0.4);
+  for (const Model& wall : {wall_with_flat_face({0.3, 0.2, 0}), wall_with_collapsed_face({0.3, 0.2, 0})}) {
+    const auto result = merge(wall, std::span(&part, 1));
+    ASSERT_TRUE(result) << to_string(result.error());
+    EXPECT_TRUE(result->report.broken_promises.empty()) << to_string(result->report.broken_promises.front());
+    EXPECT_EQ(n_flat(wall), 1);
+    EXPECT_EQ(n_flat(apply(wall, std::span(&part, 1), *result)), 1);
+    EXPECT_EQ(std::ranges::count(result->report.warnings, "flat-face", &Warning::name), 1);
+    EXPECT_EQ(std::ranges::count(result->report.warnings, "mended-face", &Warning::name), 0);
+  }
+}
+
 TEST(Merge, ACrossingPlateKeepsAllPromises) {
   const Model base = wall();
   const std::vector<Model> parts{stiffener(0.33, 1.61, 0.97, 0.31, 0.43)};
