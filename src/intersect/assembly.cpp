@@ -52,7 +52,7 @@ Assembly::Assembly(const Complex& complex, std::span<const double> size)
 
 std::vector<Assembly::Piece> Assembly::pieces_of(std::uint32_t face) const {
   if (cut_face_[face] != kWhole) return face_pieces_[cut_face_[face]];
-  return {{whole_.face[face], 0, 0, whole_.face_groups[face], {}, {}}};
+  return {{whole_.face[face], 0, 0, whole_.face_groups[face], {}, {}, {}}};
 }
 
 std::vector<Complex::Line> Assembly::pieces_of_line(std::uint32_t line) const {
@@ -103,6 +103,7 @@ CutOut Assembly::around(std::span<const FaceId> faces) const {
     if (!pieces[i].layers.empty()) c.layers.resize(pieces.size()), c.layers[i] = pieces[i].layers;
     if (pieces[i].kept) out.marks.kept.resize(pieces.size()), out.marks.kept[i] = 1;
     if (pieces[i].reach != Reach{}) out.marks.reach.resize(pieces.size()), out.marks.reach[i] = pieces[i].reach;
+    if (!pieces[i].over.empty()) out.marks.over.resize(pieces.size()), out.marks.over[i] = pieces[i].over;
     out.marks.touched.push_back(pieces[i].touched);
     out.marks.active.push_back(1);
     out.marks.from.emplace_back(i);
@@ -143,7 +144,8 @@ std::vector<VertexId> Assembly::put_back(const CutOut& before, const Complex& no
                         kept,
                         now.face_groups[i],
                         now.layers.empty() ? Complex::Layers{} : now.layers[i],
-                        marks.reach.empty() ? Reach{} : marks.reach[i]});
+                        marks.reach.empty() ? Reach{} : marks.reach[i],
+                        marks.over.empty() ? std::vector<std::uint32_t>{} : marks.over[i]});
     }
     set_pieces(face, std::move(pieces));
   }

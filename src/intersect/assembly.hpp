@@ -66,6 +66,7 @@ class Assembly {
     GroupSetId groups;
     Complex::Layers layers;
     Reach reach;
+    std::vector<std::uint32_t> over;
     friend bool operator==(const Piece&, const Piece&) = default;
   };
   static constexpr std::uint32_t kWhole = 0xFFFFFFFF;

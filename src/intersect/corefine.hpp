@@ -69,6 +69,7 @@ struct Corefined {
     double area_there = 0;                // the same as drawn onto the other surface, which may be bent the other way
     bool has_heir = false;                // another face stands for it now (Complex::layers)
     std::uint32_t component = 0, on = 0;  // its own, and that of the face it lay on
+    std::size_t gaps = 1;                 // over each other: one more than what lay between, if it has no heir
     friend auto operator<=>(const Covered&, const Covered&) = default;
   };
   std::vector<Covered> covered;

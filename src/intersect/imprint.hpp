@@ -16,7 +16,10 @@ struct FaceMarks {
   std::vector<FaceId> from;           // the face that it was, or was part of, before its component was joined
   std::vector<std::uint8_t> kept;     // lies in an area of contact that stays as it is; empty: there is none
   std::vector<Reach> reach;           // of what lay on it; empty: nothing lay off any face
-  std::vector<Triangle> input;        // its input face, where that was before anything was moved
+  /// Components that lay on it and went without an heir, ascending, as Complex::layers where they have one; empty:
+  /// none.
+  std::vector<std::vector<std::uint32_t>> over;
+  std::vector<Triangle> input;  // its input face, where that was before anything was moved
 
   /// One more face, like face f of `other`.
   void add(const FaceMarks& other, std::size_t f) {
@@ -24,6 +27,7 @@ struct FaceMarks {
     from.push_back(other.from[f]), input.push_back(other.input[f]);
     if (!other.kept.empty()) kept.push_back(other.kept[f]);
     if (!other.reach.empty()) reach.push_back(other.reach[f]);
+    if (!other.over.empty()) over.push_back(other.over[f]);
   }
 };
 

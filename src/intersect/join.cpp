@@ -111,14 +111,20 @@ class Joiner {
     make_distinct(joining_.rims);
   }
 
-  /// The own components of the faces that stand for the component.
+  /// The own components of the faces that the component is, or lay on.
   [[nodiscard]] std::vector<std::uint32_t> bearers() const {
     std::vector<std::uint32_t> all{component_};
     for (std::size_t f = 0; f < complex_.n_faces(); ++f)
-      for (const Complex::Layer& layer : complex_.layers_of(FaceId(f)))
-        if (layer.component == component_) all.push_back(complex_.component[f]);
+      if (any_on(FaceId(f), [&](std::uint32_t c) { return c == component_; })) all.push_back(complex_.component[f]);
     make_distinct(all);
     return all;
+  }
+
+  /// Of the components that lie on a face, or lay there.
+  template <class F>
+  [[nodiscard]] bool any_on(FaceId f, F&& is) const {
+    return std::ranges::any_of(complex_.layers_of(f), is, &Complex::Layer::component) ||
+           (!marks_.over.empty() && std::ranges::any_of(marks_.over[f.value], is));
   }
 
   std::optional<ImprintFault> lay_on(std::uint32_t a, std::uint32_t b, std::vector<std::uint8_t>& exact,
@@ -273,8 +279,7 @@ class Joiner {
 
   [[nodiscard]] bool is_joined_with(FaceId f) const {
     const auto joined = [&](std::uint32_t c) { return complex_.joins.are_joined(c, component_); };
-    return joined(complex_.component[f.value]) ||
-           std::ranges::any_of(complex_.layers_of(f), joined, &Complex::Layer::component);
+    return joined(complex_.component[f.value]) || any_on(f, joined);
   }
 
   /// The faces that count in telling features: what hangs together with a side and is not joined to it

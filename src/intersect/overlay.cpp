@@ -56,6 +56,8 @@ class Overlayer {
     if (auto fault = find_two_layers(complex_, unbent_, contacts)) return failed(std::move(*fault));
     out_.behind = take_out_behind(complex_, unbent_, contacts);
     component_before_ = complex_.component;
+    gaps_before_.assign(complex_.n_faces(), 1);
+    for (std::size_t f = 0; f < marks_.over.size(); ++f) gaps_before_[f] += marks_.over[f].size();
 
     LyingMeeting l{make_meeting(complex_, groups_, marks_.size, {}, rule_.snap, contacts.pairs, sides_.own[0],
                                 sides_.own[1], {fold_angle(), rule_.options.ends_on_borders}, faces_beside(contacts)),
@@ -255,15 +257,16 @@ class Overlayer {
     }
     const Cover cover(triangles, sizes, normals, corners);
     classify(l, l.stays, cover, staying);
-    for (std::size_t i = 0; i < staying.size(); ++i)
-      if (staying.covered[i])
-        unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
     for (std::size_t i = 0; i < covered.size(); ++i) {
       const std::uint32_t foot = l.cover[l.stays].foot(middle(l, l.goes(), covered[i])).face;
       const FaceId on = l.meeting.side[l.stays].face(l.cover_face[l.stays][foot]);
       out_.covered.push_back({complex_.parent[covered[i].value], area(triangles[i]), area_there(l, covered[i]),
-                              takes_over(), complex_.component[covered[i].value], component_before_[on.value]});
+                              takes_over(), complex_.component[covered[i].value], component_before_[on.value],
+                              gaps_before_[on.value]});
     }
+    for (std::size_t i = 0; i < staying.size(); ++i)
+      if (staying.covered[i])
+        unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
     remove(covered);
   }
 
@@ -336,6 +339,7 @@ class Overlayer {
     if (!takes_over()) {
       marks_.kept.resize(complex_.n_faces());
       marks_.kept[f.value] = 1;
+      record(f, g);
       return;
     }
     const std::uint32_t going = complex_.component[g.value];
@@ -359,6 +363,15 @@ class Overlayer {
     }
     for (const VertexId v : complex_.face[f.value])  // those with a symbol have their own, or have got them with it
       if (!on_both_[v.value]) complex_.join_groups(v, component, common, groups_);
+  }
+
+  /// That a face, and what lay on that, lay on another one.
+  void record(FaceId f, FaceId g) {
+    marks_.over.resize(complex_.n_faces());
+    std::vector<std::uint32_t>& over = marks_.over[f.value];
+    over.push_back(complex_.component[g.value]);
+    over.insert(over.end(), marks_.over[g.value].begin(), marks_.over[g.value].end());
+    make_distinct(over);
   }
 
   void extend_reach(const LyingMeeting& l, FaceId f, FaceId g) {
@@ -392,6 +405,7 @@ class Overlayer {
   ContactRule rule_;
   std::vector<Triangle> unbent_;                 // by face, before any is cut
   std::vector<std::uint32_t> component_before_;  // by face, before any is cut
+  std::vector<std::size_t> gaps_before_;         // the same: to what is laid on it, see Corefined::Covered
   std::vector<std::uint8_t> on_both_;            // by vertex: it has a symbol
   Overlaid out_;
 };

@@ -77,8 +77,8 @@ void judge(const Outcome& outcome, std::span<const BadFace> bad, SetTranslation&
   Tolerance drawn = options.tolerance;
   drawn.value *= static_cast<double>(gaps_in_a_row(outcome.corefined));
   tbb::parallel_invoke(
-      [&] { result = check_result(outcome, translated, options.tolerance); },
-      [&] { fidelity = fidelity_of(outcome, drawn); }, [&] { coverage = coverage_of(outcome, options.tolerance); },
+      [&] { result = check_result(outcome, translated, drawn); }, [&] { fidelity = fidelity_of(outcome, drawn); },
+      [&] { coverage = coverage_of(outcome, options.tolerance); },
       [&] { loose_ends = loose_end_warnings(outcome, options.tolerance); },
       [&] { loose_pieces = loose_piece_warnings(outcome); }, [&] { flat_faces = flat_face_warnings(outcome); },
       [&] {

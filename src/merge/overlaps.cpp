@@ -97,17 +97,20 @@ std::vector<OverlapEntry> overlap_entries(Inputs inputs, const Components& compo
 }
 
 std::size_t gaps_in_a_row(const Corefined& corefined) {
-  std::vector<std::array<std::uint32_t, 2>> drawn;  // a component, and the one that it was drawn onto
+  using Drawn = std::pair<std::array<std::uint32_t, 2>, std::size_t>;  // a component and what it was drawn onto; gaps
+  std::vector<Drawn> drawn;
   for (const Corefined::Covered& face : corefined.covered)
-    if (!face.has_heir) drawn.push_back({face.component, face.on});
+    if (!face.has_heir) drawn.push_back({{face.component, face.on}, face.gaps});
   make_distinct(drawn);
+  std::size_t all = 0;
+  for (const auto& [pair, n] : drawn) all += n;
   // One that is kept has a rank above all that are drawn onto it: longest chains, one link more in each round.
   std::map<std::uint32_t, std::size_t> gaps;
   std::size_t most = 1;
   for (std::size_t round = 0; round < drawn.size(); ++round)
-    for (const auto& [from, onto] : drawn) {
-      gaps[onto] = std::max(gaps[onto], std::min(gaps[from] + 1, drawn.size()));
-      most = std::max(most, gaps[onto]);
+    for (const auto& [pair, n] : drawn) {
+      gaps[pair[1]] = std::max(gaps[pair[1]], std::min(gaps[pair[0]] + n, all));
+      most = std::max(most, gaps[pair[1]]);
     }
   return most;
 }

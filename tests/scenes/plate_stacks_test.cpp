@@ -1,9 +1,12 @@
 // Flat plates at distances over each other, each turned and shifted in its plane.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
+#include "core/union_find.hpp"
 #include "geometry/quality.hpp"
 #include "meshgraft/merge.hpp"
 #include "scenes/expect.hpp"
@@ -94,6 +97,87 @@ TEST(PlateStacks, ThatReachBeyondTheBaseAreJoinedThereToo) {
       EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
       if (overlap == Overlap::kFuse) scenes::expect_sound(apply(models[0], std::span(models).subspan(1), *merged));
     }
+}
+
+/// How far a place is inside the outline of a plate, seen from above; negative outside.
+double depth(const Plate& p, Vec3 at) {
+  const Vec3 u{std::cos(p.turn), std::sin(p.turn), 0}, d = at - Vec3{p.x, p.y, 0};
+  return std::min(p.length / 2 - std::abs(dot(u, d)), p.width / 2 - std::abs(u.x * d.y - u.y * d.x));
+}
+
+/// Faces of a model over a place, seen from above.
+int layers_at(const Model& m, Vec3 at) {
+  int n = 0;
+  for (std::size_t e = 0; e < m.n_elements(); ++e) {
+    const Triangle t = m.corners(ElementId(e));
+    const auto is_left = [&](std::size_t k) {
+      const Vec3 d = t[(k + 1) % 3] - t[k];
+      return d.x * (at.y - t[k].y) - d.y * (at.x - t[k].x) > 0;
+    };
+    n += is_left(0) == is_left(1) && is_left(1) == is_left(2) ? 1 : 0;
+  }
+  return n;
+}
+
+/// Of the plates there, those that are within the tolerance of the next are one layer.
+int layers_expected(const Stack& stack, Vec3 at) {
+  std::vector<double> heights;
+  for (const Plate& p : stack.plates)
+    if (depth(p, at) > 0) heights.push_back(p.height);
+  int n = heights.empty() ? 0 : 1;
+  for (std::size_t k = 1; k < heights.size(); ++k) n += heights[k] - heights[k - 1] > stack.tolerance ? 1 : 0;
+  return n;
+}
+
+/// Nothing is lost or counted twice farther from all outlines than what whole faces may round.
+void expect_layers(const Stack& stack, const Model& result) {
+  constexpr double kRounded = 12, kStep = 3.1;  // an edge is about 10
+  for (double x = -140; x < 140; x += kStep)
+    for (double y = -140; y < 140; y += kStep) {
+      const Vec3 at{x, y, 0};
+      if (std::ranges::any_of(stack.plates, [&](const Plate& p) { return std::abs(depth(p, at)) < kRounded; }))
+        continue;
+      EXPECT_EQ(layers_at(result, at), layers_expected(stack, at)) << x << ' ' << y;
+    }
+}
+
+void expect_connected(const Model& m) {
+  UnionFind sets(m.n_nodes());
+  for (std::size_t e = 0; e < m.n_elements(); ++e)
+    for (const NodeId n : m.nodes_of(ElementId(e))) sets.unite(m.nodes_of(ElementId(e))[0].value, n.value);
+  for (std::size_t e = 0; e < m.n_elements(); ++e)
+    ASSERT_EQ(sets.find(m.nodes_of(ElementId(e))[0].value), sets.find(m.nodes_of(ElementId(0))[0].value));
+}
+
+/// With a layer that is kept, the plates beneath or above it go where they lie on it, and those that lay on them end
+/// there too: told by what was recorded, as no layer stands for them.
+void expect_kept(const Stack& stack, Overlap overlap) {
+  SCOPED_TRACE(testing::Message() << stack.plates[1].length << ", variant " << static_cast<int>(overlap));
+  const std::vector<Model> models = models_of(stack);
+  const auto merged = merged_stack(models, stack.tolerance, overlap);
+  ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+  EXPECT_TRUE(merged->report.broken_promises.empty()) << scenes::first_problem(merged->report);
+  const Model result = apply(models[0], std::span(models).subspan(1), *merged);
+  scenes::expect_sound(result);
+  expect_connected(result);
+  expect_layers(stack, result);
+}
+
+const Stack kOnOneOnTheBase{{{200, 160, 0, 0, 0, 9.59, 0},
+                             {62.33, 125.21, 3.45, 53.73, -6.47, 9.71, 2.56},
+                             {88.85, 83.12, 0.97, -35.44, 19.89, 10.05, 4.68}},
+                            2.69};
+const Stack kThreeInARow{{{200, 160, 0, 0, 0, 10.81, 0},
+                          {74.21, 104.62, 5.44, 57.5, -41.58, 9.49, 4.41},
+                          {122.88, 79.74, 5.91, -29.25, -30.02, 9.91, 8.45},
+                          {79.78, 118.97, 4.07, -53.58, 12.78, 10.31, 12.39}},
+                         4.63};
+/// The last plate was apart, or its edge new, where the one beneath it had gone.
+TEST(PlateStacks, WhatLiesOnAPlateThatGoesEndsOnWhatIsKept) {
+  for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
+    expect_kept(kOnOneOnTheBase, overlap);
+    expect_kept(kThreeInARow, overlap);
+  }
 }
 
 /// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
