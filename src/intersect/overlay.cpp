@@ -241,6 +241,7 @@ class Overlayer {
   void take_out(const LyingMeeting& l) {
     Pieces going = pieces(l, l.goes()), staying = pieces(l, l.stays);
     classify(l, l.goes(), l.cover[l.stays], going);
+    take_doubled(l, going);
 
     std::vector<FaceId> covered;
     std::vector<Triangle> triangles;
@@ -268,6 +269,22 @@ class Overlayer {
       if (staying.covered[i])
         unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
     remove(covered);
+  }
+
+  /// Where the border of what bears the side that goes has a notch, a piece has come to lie on all corners of a face
+  /// in it, however far it was from that.
+  void take_doubled(const LyingMeeting& l, Pieces& going) const {
+    const auto ascending = [&](std::size_t f) {
+      std::array<VertexId, 3> v = complex_.face[f];
+      std::ranges::sort(v);
+      return v;
+    };
+    std::vector<std::array<VertexId, 3>> staying;
+    for (std::size_t f = 0; f < complex_.n_faces(); ++f)
+      if (is_on_both(f) && sides_.own[l.stays][marks_.from[f].value]) staying.push_back(ascending(f));
+    std::ranges::sort(staying);
+    for (std::size_t i = 0; i < going.size(); ++i)
+      if (std::ranges::binary_search(staying, ascending(going.faces[i].value))) going.covered[i] = 1;
   }
 
   /// Area of a face of the side that goes between the places of its corners on the other.

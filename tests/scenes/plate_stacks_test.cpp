@@ -172,12 +172,23 @@ const Stack kThreeInARow{{{200, 160, 0, 0, 0, 10.81, 0},
                           {122.88, 79.74, 5.91, -29.25, -30.02, 9.91, 8.45},
                           {79.78, 118.97, 4.07, -53.58, 12.78, 10.31, 12.39}},
                          4.63};
+const Stack kInANotch{{{200, 160, 0, 0, 0, 10.68, 0},
+                       {147.17, 76.76, 5.46, -14.7, 3.09, 10.54, 2.03},
+                       {98.01, 60.8, 3.84, -8.34, 26.61, 9.51, 3.51}},
+                      2.13};
+
 /// The last plate was apart, or its edge new, where the one beneath it had gone.
 TEST(PlateStacks, WhatLiesOnAPlateThatGoesEndsOnWhatIsKept) {
   for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
     expect_kept(kOnOneOnTheBase, overlap);
     expect_kept(kThreeInARow, overlap);
   }
+}
+
+/// What a plate that goes covered of the base are whole faces. In a notch of their outline the plate on it came to lie
+/// on the face there, all corners alike, and was left on it.
+TEST(PlateStacks, ANotchInWhatLayOnTheBaseIsClosed) {
+  for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) expect_kept(kInANotch, overlap);
 }
 
 /// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
