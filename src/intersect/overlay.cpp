@@ -265,9 +265,19 @@ class Overlayer {
                               takes_over(), complex_.component[covered[i].value], component_before_[on.value],
                               gaps_before_[on.value]});
     }
-    for (std::size_t i = 0; i < staying.size(); ++i)
-      if (staying.covered[i])
-        unite(l, staying.faces[i], covered[cover.foot(middle(l, l.stays, staying.faces[i])).face]);
+    for (std::size_t i = 0; i < staying.size(); ++i) {
+      const FaceId f = staying.faces[i];
+      const Vec3 at = middle(l, l.stays, f);
+      if (takes_over()) {
+        if (staying.covered[i]) unite(l, f, covered[cover.foot(at).face]);
+        continue;
+      }
+      // Free edges of what went are not imprinted, and end none of its regions: each face lies there for itself.
+      const bool is_beneath =
+          cover.covers(at, l.normal(l.stays, l.meeting.side[l.stays].find(marks_.from[f.value])), rule_);
+      if (is_beneath || staying.covered[i]) keep(f);
+      if (is_beneath) record(l, f, covered[cover.foot(at).face]);
+    }
     remove(covered);
   }
 
@@ -351,14 +361,8 @@ class Overlayer {
 
   /// A face that stays, and the one that lies on it and goes.
   void unite(const LyingMeeting& l, FaceId f, FaceId g) {
-    marks_.touched[f.value] = takes_over() ? 1 : marks_.touched[f.value];
+    marks_.touched[f.value] = 1;
     extend_reach(l, f, g);
-    if (!takes_over()) {
-      marks_.kept.resize(complex_.n_faces());
-      marks_.kept[f.value] = 1;
-      record(f, g);
-      return;
-    }
     const std::uint32_t going = complex_.component[g.value];
     complex_.layers.resize(complex_.n_faces());
     Complex::Layers& layers = complex_.layers[f.value];
@@ -382,8 +386,14 @@ class Overlayer {
       if (!on_both_[v.value]) complex_.join_groups(v, component, common, groups_);
   }
 
+  void keep(FaceId f) {
+    marks_.kept.resize(complex_.n_faces());
+    marks_.kept[f.value] = 1;
+  }
+
   /// That a face, and what lay on that, lay on another one.
-  void record(FaceId f, FaceId g) {
+  void record(const LyingMeeting& l, FaceId f, FaceId g) {
+    extend_reach(l, f, g);
     marks_.over.resize(complex_.n_faces());
     std::vector<std::uint32_t>& over = marks_.over[f.value];
     over.push_back(complex_.component[g.value]);

@@ -191,6 +191,65 @@ TEST(PlateStacks, ANotchInWhatLayOnTheBaseIsClosed) {
   for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) expect_kept(kInANotch, overlap);
 }
 
+/// A corner of the largest plate lies on another one that is laid on the base later: it covers less of the larger
+/// one's faces in contact than it leaves.
+TEST(PlateStacks, ACornerIsLaidDownWithWhatItLiesOn) {
+  expect_kept({{{200, 160, 0, 0, 0, 8.95, 0},
+                {61.75, 106.53, 2.91, -36.71, 22.49, 10.82, 2.2},
+                {69.47, 93.98, 1.42, -58.47, 39.63, 9.72, 4.04},
+                {144.76, 66.5, 5.34, 46.76, 23, 10.28, 6.36}},
+               2.436},
+              Overlap::kKeepBase);
+}
+
+/// Places, one unit apart at most, on the outline of a plate where those of others cross it.
+std::vector<Vec3> outline_crossings(const Stack& stack, std::size_t k) {
+  const Plate& p = stack.plates[k];
+  const Vec3 u{std::cos(p.turn), std::sin(p.turn), 0}, v{-u.y, u.x, 0}, centre{p.x, p.y, 0};
+  std::vector<Vec3> found;
+  const auto look = [&](Vec3 from, Vec3 way) {
+    for (double t = 0; t < 1; t += 0.5 / norm(way)) {
+      const Vec3 at = from + t * way;
+      for (std::size_t other = 0; other < stack.plates.size(); ++other)
+        if (other != k && std::abs(depth(stack.plates[other], at)) < 1) found.push_back(at);
+    }
+  };
+  const Vec3 a = 0.5 * p.length * u, b = 0.5 * p.width * v;
+  look(centre - a - b, 2 * a), look(centre - a + b, 2 * a), look(centre - a - b, 2 * b), look(centre + a - b, 2 * b);
+  return found;
+}
+
+/// Within the tolerance of all: one side is kept of every layer, and needs nodes only where other outlines cross its
+/// own.
+TEST(PlateStacks, TheKeptSideOfAStackStaysAsItIsButWhereOutlinesCross) {
+  const std::array<Stack, 2> stacks{Stack{{{200, 160, 0, 0, 0, 9.87, 0},
+                                           {124.37, 119.1, 3.79, 42.95, 4.49, 10.62, 3.78},
+                                           {116.12, 105.21, 2.41, -7.49, -20.25, 10.73, 6.93}},
+                                          7.28},
+                                    Stack{{{200, 160, 0, 0, 0, 10.73, 0},
+                                           {89.88, 74.66, 5.16, -52.29, -45.83, 9.43, 4.84},
+                                           {148.65, 101.65, 0.62, 3.58, 10.85, 9.55, 8.03}},
+                                          8.43}};
+  for (const Stack& stack : stacks)
+    for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
+      expect_kept(stack, overlap);
+      const std::vector<Model> models = models_of(stack);
+      const auto merged = merged_stack(models, stack.tolerance, overlap);
+      ASSERT_TRUE(merged.has_value());
+      // The base, or the plate with the fewest elements.
+      std::size_t kept = 0;
+      for (std::size_t k = 1; overlap == Overlap::kKeepPart && k < models.size(); ++k)
+        if (kept == 0 || models[k].n_elements() < models[kept].n_elements()) kept = k;
+      constexpr double kThreeNeighbourhoods = 45;  // edges are about 10; and by one a border may be off a node
+      const std::vector<Vec3> crossings = outline_crossings(stack, kept);
+      for (const ElementId e : merged->graft.removed_elements[kept]) {
+        const Vec3 c = centroid(models[kept].corners(e));
+        const auto is_near = [&](Vec3 p) { return std::hypot(p.x - c.x, p.y - c.y) < kThreeNeighbourhoods; };
+        EXPECT_TRUE(std::ranges::any_of(crossings, is_near)) << c.x << ' ' << c.y;
+      }
+    }
+}
+
 /// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
 TEST(PlateStacks, AKeptPlateNextToAFreeEdgeIsRemeshedThereAndNowhereElse) {
   const Stack stack{{{200, 160, 0, 0, 0, 10, 0}, {80, 60, 0.01, 5, 47.1, 10, 1}}, 1.05};
