@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/union_find.hpp"
@@ -240,14 +242,37 @@ TEST(PlateStacks, TheKeptSideOfAStackStaysAsItIsButWhereOutlinesCross) {
       std::size_t kept = 0;
       for (std::size_t k = 1; overlap == Overlap::kKeepPart && k < models.size(); ++k)
         if (kept == 0 || models[k].n_elements() < models[kept].n_elements()) kept = k;
-      constexpr double kThreeNeighbourhoods = 45;  // edges are about 10; and by one a border may be off a node
+      constexpr double kZone = 45;  // edges are about 10: three neighbourhoods, more where faces would be poor
       const std::vector<Vec3> crossings = outline_crossings(stack, kept);
       for (const ElementId e : merged->graft.removed_elements[kept]) {
         const Vec3 c = centroid(models[kept].corners(e));
-        const auto is_near = [&](Vec3 p) { return std::hypot(p.x - c.x, p.y - c.y) < kThreeNeighbourhoods; };
+        const auto is_near = [&](Vec3 p) { return std::hypot(p.x - c.x, p.y - c.y) < kZone; };
         EXPECT_TRUE(std::ranges::any_of(crossings, is_near)) << c.x << ' ' << c.y;
       }
     }
+}
+
+/// Which layer stays does not depend on the order of the parts: the base, or the part with the fewest elements.
+TEST(PlateStacks, TheKeptSideDoesNotDependOnTheOrder) {
+  const Stack stack{{{200, 160, 0, 0, 0, 9.87, 0},
+                     {124.37, 119.1, 3.79, 42.95, 4.49, 10.62, 3.78},
+                     {116.12, 105.21, 2.41, -7.49, -20.25, 10.73, 6.93}},
+                    7.28};
+  const std::vector<Model> models = models_of(stack), turned{models[0], models[2], models[1]};
+  ASSERT_LT(models[2].n_elements(), models[1].n_elements());
+  for (const Overlap overlap : {Overlap::kKeepBase, Overlap::kKeepPart}) {
+    std::array<std::map<std::string, double>, 2> areas;
+    for (const std::size_t k : {0, 1}) {
+      const std::vector<Model>& all = k == 0 ? models : turned;
+      const auto merged = merged_stack(all, stack.tolerance, overlap);
+      ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+      areas[k] = scenes::area_by_group(apply(all[0], std::span(all).subspan(1), *merged));
+    }
+    for (const auto& [group, area] : areas[0]) EXPECT_NEAR(areas[1].at(group), area, 1e-3 * area) << group;
+    const bool is_base = overlap == Overlap::kKeepBase;
+    const double whole = is_base ? 200 * 160 : 116.12 * 105.21;
+    EXPECT_NEAR(areas[0].at(is_base ? "PLATE0" : "PLATE2"), whole, 1e-3 * whole);
+  }
 }
 
 /// No good face fits between its nodes and the free edge of the base, a quarter of an edge length beside them.
