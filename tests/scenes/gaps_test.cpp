@@ -136,28 +136,13 @@ void joins_what_is_in_reach(bool pipe) {
 TEST(GapsInPart, AFootIsJoinedToAWallAsFarAsItIsInReach) { joins_what_is_in_reach(false); }
 TEST(GapsInPart, AFootIsJoinedToAPipeAsFarAsItIsInReach) { joins_what_is_in_reach(true); }
 
-/// A triangle of `n` rows, its right angle at `corner`.
-Model gusset(Vec3 corner, Vec3 u, Vec3 v, std::size_t n) {
-  ModelBuilder b;
-  std::vector<std::vector<NodeId>> rows(n + 1);
-  const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n); };
-  for (std::size_t j = 0; j <= n; ++j)
-    for (std::size_t i = 0; i + j <= n; ++i) rows[j].push_back(b.add_node(corner + share(i) * u + share(j) * v));
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i + j < n; ++i) {
-      b.add_to_group("GUSSET", b.add_face(rows[j][i], rows[j][i + 1], rows[j + 1][i]));
-      if (i + j + 1 < n) b.add_to_group("GUSSET", b.add_face(rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i]));
-    }
-  return b.build();
-}
-
 /// The slope leaves the wall at an acute tip: it is not to be joined with it, although its last edge is in reach.
 TEST(GapsInPart, AGussetWithAnAcuteTipEndsOnTheWallWithItsUprightEdgeOnly) {
   const Model wall = scenes::staggered_plate({0, -1, -0.5}, {0, 2, 0}, {0, 0, 2}, kSize, "WALL");
   constexpr double kHeight = 1.0;
   for (const double beside : {-0.04, -0.02, 0.02, 0.04}) {  // of the wall
     SCOPED_TRACE(beside);
-    const Model part = gusset({beside, 0.013, 0}, {0.5 * kHeight, 0, 0}, {0, 0, kHeight}, 8);
+    const Model part = scenes::triangle_plate({beside, 0.013, 0}, {0.5 * kHeight, 0, 0}, {0, 0, kHeight}, 8);
     MergeOptions options;
     options.tolerance = {0.06, false};
     const auto merged = merge(wall, std::span(&part, 1), options);

@@ -84,6 +84,20 @@ Model staggered_plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::strin
   return builder.build(group);
 }
 
+Model triangle_plate(Vec3 corner, Vec3 u, Vec3 v, std::size_t n, const std::string& group) {
+  ModelBuilder b;
+  std::vector<std::vector<NodeId>> rows(n + 1);
+  const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n); };
+  for (std::size_t j = 0; j <= n; ++j)
+    for (std::size_t i = 0; i + j <= n; ++i) rows[j].push_back(b.add_node(corner + share(i) * u + share(j) * v));
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i + j < n; ++i) {
+      b.add_to_group(group, b.add_face(rows[j][i], rows[j][i + 1], rows[j + 1][i]));
+      if (i + j + 1 < n) b.add_to_group(group, b.add_face(rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i]));
+    }
+  return b.build();
+}
+
 Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group) {
   const Vec3 axis = to - from;
   const Vec3 w = normalized(axis);

@@ -30,6 +30,9 @@ struct Surface {
 [[nodiscard]] Model staggered_plate(Vec3 origin, Vec3 u, Vec3 v, double size, const std::string& group = "PLATE",
                                     double jitter = 0);
 
+/// Right triangle with its right angle at `corner` and the legs `u` and `v`, in `n` rows.
+[[nodiscard]] Model triangle_plate(Vec3 corner, Vec3 u, Vec3 v, std::size_t n, const std::string& group = "GUSSET");
+
 /// Open cylinder around the axis from `from` to `to`.
 [[nodiscard]] Model cylinder(Vec3 from, Vec3 to, double radius, double size, const std::string& group = "CYLINDER");
 
