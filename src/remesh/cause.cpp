@@ -36,12 +36,20 @@ std::optional<double> least_corner_deg(const Editor& editor, const LocalFace& fa
     const auto& chain = editor.reference().curve(c).chain;
     return std::array{chain.front(), chain.back()};
   };
+  const auto next = [&](VertexId tip, CurveId c) {
+    const auto& chain = editor.reference().curve(c).chain;
+    return chain.front() == tip ? chain[1] : chain[chain.size() - 2];
+  };
+  const auto first_deg = [&](VertexId tip, CurveId c, CurveId d) {
+    return angle_deg(mesh.position(tip), mesh.position(next(tip, c)), mesh.position(next(tip, d)));
+  };
   for (const VertexId u : face.v)
     for (const VertexId w : face.v) {
       const CurveId c = mesh.vertex(u).curve, d = mesh.vertex(w).curve;
       if (!c.valid() || !d.valid() || c >= d) continue;
       for (const VertexId tip : ends(c))
         if ((tip == ends(d)[0] || tip == ends(d)[1])) {
+          if (first_deg(tip, c, d) >= kSharpInput) continue;  // a turn of one beside the tip: a strip, not a corner
           const double angle = angle_deg(mesh.position(tip), mesh.position(u), mesh.position(w));
           least = std::min(angle, least.value_or(angle));
         }

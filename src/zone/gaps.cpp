@@ -32,7 +32,8 @@ struct Side {
 /// Arc lengths of the chain vertices of all curves.
 class Arcs {
  public:
-  Arcs(const Complex& complex, const Brep& brep) : curves_(brep.curves), inner_(complex.n_vertices(), 0) {
+  Arcs(const Complex& complex, const Brep& brep)
+      : complex_(complex), curves_(brep.curves), inner_(complex.n_vertices(), 0) {
     std::vector<Vec3> points;
     for (const Curve& curve : brep.curves) {
       points.clear();
@@ -69,7 +70,25 @@ class Arcs {
     return least;
   }
 
+  /// Whether two curves leave an end that they share by less than an angle. One that turns away from the other beside
+  /// that end leaves a strip, not a corner.
+  [[nodiscard]] bool form_corner(CurveId c, CurveId d, double angle) const {
+    const auto leaving = [&](CurveId k, bool front) {
+      const auto& chain = curves_[k.value].chain;
+      const VertexId tip = front ? chain.front() : chain.back(), next = front ? chain[1] : chain[chain.size() - 2];
+      return std::pair{tip, normalized(complex_.position[next.value] - complex_.position[tip.value])};
+    };
+    for (const bool i : {false, true})
+      for (const bool j : {false, true}) {
+        const auto [tip, u] = leaving(c, i);
+        const auto [other, v] = leaving(d, j);
+        if (tip == other && dot(u, v) > std::cos(angle)) return true;
+      }
+    return false;
+  }
+
  private:
+  const Complex& complex_;
   const std::vector<Curve>& curves_;
   std::vector<double> inner_;   // by vertex inside a chain; such a vertex is on one curve only
   std::vector<double> length_;  // by curve
@@ -124,7 +143,8 @@ class SheetGaps {
           other.curve.valid() ? arcs_.way(side.curve, arc, other.curve, other.arc_a + c.t * (other.arc_b - other.arc_a))
                               : std::numeric_limits<double>::infinity();
       if (d >= cone * along) return;
-      const bool corner = along < std::numeric_limits<double>::infinity() && side.curve != other.curve;
+      const bool corner = along < std::numeric_limits<double>::infinity() && side.curve != other.curve &&
+                          arcs_.form_corner(side.curve, other.curve, options_.cone);
       const double floor = (corner ? options_.cone_floor : options_.gap_floor) * plain_(x);
       allowed = std::min(allowed, std::max(floor, options_.gap_share * d));
     });

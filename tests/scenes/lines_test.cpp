@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "expect.hpp"
+#include "geometry/quality.hpp"
 #include "meshgraft/merge.hpp"
 #include "support/scenes.hpp"
 
@@ -65,6 +66,35 @@ TEST_P(WhatIsBesideALine, IsJoinedAlongIt) {
 }
 INSTANTIATE_TEST_SUITE_P(Lines, WhatIsBesideALine,
                          testing::Combine(testing::Values(Line::kBorder, Line::kBeams), testing::Values(0, 0.31)));
+
+/// A wall of which a corner is in a group of its own: the border turns at (1, 0.4).
+Model wall_with_border() {
+  const Model whole = scenes::plate({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 0.1, "WALL");
+  ModelBuilder builder;
+  for (const Vec3 p : whole.position) builder.add_node(p);
+  for (std::size_t e = 0; e < whole.n_elements(); ++e) {
+    const auto v = whole.nodes_of(ElementId(e));
+    const ElementId face = builder.add_face(v[0], v[1], v[2]);
+    builder.add_to_group("WALL", face);
+    const Vec3 c = centroid(whole.corners(ElementId(e)));
+    if (c.x > 1 && c.y > 0.4) builder.add_to_group("THICK", face);
+  }
+  return builder.build();
+}
+
+/// The border turns right beside the place where the rim of the doubler crosses it, and runs along the rim from there:
+/// a strip of 2 % of an edge, not a corner of one degree.
+TEST(Lines, ABorderThatTurnsBesideACrossingLeavesAStripOfGoodFaces) {
+  for (const double off : {0.0015, 0.0018, 0.0025}) {
+    SCOPED_TRACE(off);
+    const Model wall = wall_with_border(),
+                doubler = scenes::plate({0.7013, 0.4 + off, 0}, {0.4, 0, 0}, {0, 0.3, 0}, 0.09, "DOUBLER");
+    const auto merged = merge(wall, std::span(&doubler, 1));
+    ASSERT_TRUE(merged.has_value()) << to_string(merged.error());
+    EXPECT_TRUE(merged->report.broken_promises.empty());
+    EXPECT_GE(merged->report.quality.min, 0.5);
+  }
+}
 
 }  // namespace
 }  // namespace meshgraft::scenes
